@@ -28,7 +28,7 @@ namespace {
 class HandBeneathTheCrown final : public haptics::HapticDevice
 {
 public:
-    /// @param deeperMmPerS  speed inwards: what the bur has cut is no overhang any more
+    /// @param deeperMmPerS  speed inwards, because after cutting there is no overhang any more
     HandBeneathTheCrown(const core::terrain::ToothAnatomy& anatomy, double deeperMmPerS)
         : m_middleMm(anatomy.grid.middleMm()), m_deeperMmPerS(deeperMmPerS)
     {
@@ -286,7 +286,7 @@ core::Result<haptics::TickTimes> seekTimes(const core::recording::Recording& rec
     if (!track)
         return tl::unexpected(track.error());
     while ((*track)->prepare(1000)) {
-        // on to the end
+        // runs to the end
     }
     haptics::TickTimes times;
     core::Rng rng(2);
@@ -323,7 +323,7 @@ core::Result<Figures> replaySuite(const Context& context)
             return tl::unexpected(player.error());
         const double before = haptics::threadCpuUs();
         while ((*player)->advance(kTicksAStep)) {
-            // on to the end
+            // runs to the end
         }
         const double passS = 1.0e-6 * (haptics::threadCpuUs() - before);
         haptics::TickTimes looks;

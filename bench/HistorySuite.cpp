@@ -28,7 +28,7 @@ constexpr int kTicksASession = 10;
 constexpr int kPasses = 20;  ///< of drilling, in turn with and without jumps
 constexpr int kTicksAPass = 2000;
 
-/// A device at a place that is set, over or in the tooth.
+/// A device at a position that is set, above or in the tooth.
 class Hand final : public haptics::HapticDevice
 {
 public:
@@ -53,7 +53,7 @@ public:
 
     void send(SessionCommand command) { static_cast<void>(m_uiLinks->commands.tryPush(std::move(command))); }
 
-    /// Microseconds of processor time.
+    /// Runs the session once and returns the processor time, microseconds.
     double beatSession()
     {
         const double before = haptics::threadCpuUs();

@@ -35,10 +35,10 @@ constexpr auto kPass = 3s;
 constexpr auto kSettling = 100ms;  ///< pause before each pass, so that waiting work is done
 constexpr double kRadiusMm = 3.0;
 
-/// What is being timed; all threads read it.
+/// The part of the run that is being timed; read by all threads.
 enum class Pass { None, Alone, Measured };
 
-/// The servo as in the window, timed.
+/// The servo of the window, timed.
 class TimedServo final : public core::rt::Loop
 {
 public:

@@ -17,7 +17,7 @@
 namespace bench {
 namespace {
 
-/// A fault of a student, and the letter that a strict instructor gives it (docs/marks.md): D and F fail.
+/// A student's error, and the letter that a strict instructor gives for it (docs/marks.md): D and F fail.
 struct Fault
 {
     const char* what;

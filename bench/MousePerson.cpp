@@ -66,7 +66,7 @@ core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy
                     shown};
         if (state.touching)
             sight.under = state.materialUnderBur;
-        // The bur is compared with the last position of the pointer that the program was told.
+        // Compares the bur with the last position of the pointer that the program received.
         arrivingS += kPictureS;
         if (!control.isPushing() && arrivingS > kHasArrivedS)
             mostOffRayPx = std::max(mostOffRayPx, glm::distance(sight.burPx, pointer));

@@ -23,7 +23,7 @@ struct MouseHand
     double forceN = 0.6;
 };
 
-/// What a person sees in one picture.
+/// The information that a person sees in one picture.
 struct Sight
 {
     double seconds = 0.0;
@@ -34,7 +34,7 @@ struct Sight
     std::shared_ptr<const std::vector<float>> tops;  ///< the cut surface, up to 0.1 s old
 };
 
-/// What the hand does until the next picture.
+/// The actions of the hand until the next picture.
 struct Deed
 {
     glm::dvec2 pointerPx{0.0};
@@ -43,7 +43,7 @@ struct Deed
     bool isDone = false;
 };
 
-/// The result of a task.
+/// The result of a task at the mouse.
 struct Doing
 {
     core::terrain::Tooth tooth;

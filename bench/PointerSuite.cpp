@@ -255,7 +255,7 @@ core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t
     double lookedS = 0.0;
     double loweredS = 0.0;
     double cleanS = 0.0;
-    double surfaceMm = std::numeric_limits<double>::lowest();  ///< where the depth figure counts from
+    double surfaceMm = std::numeric_limits<double>::lowest();  ///< height from which the shown depth is measured
     std::shared_ptr<const std::vector<float>> lookedAt;
     std::vector<std::size_t> brown;
     const auto placeOf = [&](std::size_t k, const std::vector<float>& tops) {

@@ -161,8 +161,8 @@ struct LiveTicks
     std::uint64_t missed = 0;
 };
 
-/// The same in a thread with a real clock.
-/// @param tracks  whether the tag of a head is followed meanwhile
+/// Drills in a thread with a real clock.
+/// @param tracks  whether the tag of a head is tracked meanwhile
 core::Result<LiveTicks> drillLive(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double seconds,
                                   bool tracks)
 {

@@ -57,7 +57,7 @@ void tryAll(Trials& trials)
             trial.falcon.delayS = trials.delayMs * 0.001;
             trial.falcon.delayJitterS = 0.0;
             trial.hand = haptics::kHands[hand];
-            // If the path is given, the hand has no effect.
+            // On a given path the hand has no effect.
             const bool isAgain = hand > 0 && trials.scene.starts_with("loops");
             trials.results[k][hand] =
                 isAgain ? trials.results[k][0] : lab::tryStability(trials.scene, trial).value();  // none of them is

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::array<int, 4> kDelaysMs{0, 1, 2, 4};
 
-/// Friction at which the pipeline of 2011 holds the stiffest wall in about every cell. The price is a tremble of 0.3 N
-/// rms in a hand that leans on 2 N/mm.
+/// Friction with which the pipeline of 2011 is stable at the highest stiffness in almost every cell. The price is a
+/// tremble of 0.3 N rms in a hand that presses on a spring of 2 N/mm.
 constexpr double kRoughNSPerM = 30.0;
 
 /// Contestants, then hands, then delays: the order of the cells.

@@ -48,7 +48,7 @@ constexpr Suite kSuites[] = {
     {"drilling", "minutes of continuous drilling: ticks and memory", bench::drillingSuite, 6.0},
 };
 
-/// Returns whether --minutes sets the length of the suite.
+/// Returns whether the option --minutes applies to the suite.
 bool takesMinutes(const Suite& suite)
 {
     return suite.run == bench::drillingSuite || suite.run == bench::servoSuite;

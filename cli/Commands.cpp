@@ -47,21 +47,21 @@ int unknownCommand(const QString& name)
     return wrongUsage(QStringLiteral("cusp has no command \"%1\"; \"cusp help\" lists those there are").arg(name));
 }
 
-/// Hides Qt's messages about the desktop while it starts, unless it gives up.
+/// Message handler: hides Qt's messages about the desktop at its start, except a fatal one.
 void hearQtStart(QtMsgType type, const QMessageLogContext& /*where*/, const QString& text)
 {
     if (type == QtFatalMsg)
         std::_Exit(failed({core::ErrorCode::FileUnreadable, "Nothing can be drawn: " + text.toStdString()}));
 }
 
-/// Hides Qt's warnings about a statement that fails: the command reports it in a sentence.
+/// Message handler: hides Qt's warnings about a failed statement, because the command reports the error in a sentence.
 void hearQt(QtMsgType type, const QMessageLogContext& /*where*/, const QString& text)
 {
     if (type == QtFatalMsg)
         std::_Exit(failed({core::ErrorCode::BadStructure, text.toStdString()}));
 }
 
-/// Makes the application. Charts need Qt's widgets but no screen, and must not depend on one. A tooth needs OpenGL.
+/// Creates the application. Charts need Qt's widgets, but must work without a screen. A tooth needs OpenGL.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, Draws draws)
 {
     if (draws == Draws::Nothing || (draws == Draws::Tooth && !app::hasDisplay())) {

@@ -8,7 +8,7 @@
 
 #include "cli/parts/ExitCode.h"
 
-/// The headless program. Commands need no display; results go to stdout, errors to stderr in one sentence.
+/// The commands of the program. They need no window; results go to stdout, errors to stderr in one sentence.
 namespace cli {
 
 /// What a command needs for drawing: nothing, Qt's widgets for charts without a screen, or a display with OpenGL, if
@@ -24,11 +24,11 @@ struct Command
     const char* drawingPart = nullptr;  ///< the only subcommand or option that draws; null: the whole command
 };
 
-/// Returns all commands, in the order of `cusp help`. To add one: XCommand.cpp with a function, and a line in
-/// Commands.cpp.
+/// Returns all commands, in the order of `cusp help`. To add a command, create XCommand.cpp with a function and add a
+/// line to Commands.cpp.
 [[nodiscard]] std::span<const Command> commands();
 
-/// Runs the command of the command line, or prints help or version. Empty if the window is to be opened: without
+/// Runs the command of the command line, or prints help or version. Empty if the window has to be opened: without
 /// arguments, or with an option of the window.
 [[nodiscard]] std::optional<int> run(int& argc, char** argv);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// cusp db: the school's data as a whole.
+// cusp db: commands for a whole database.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,7 +40,7 @@ using core::ErrorCode;
 using database::Address;
 using database::sql::Database;
 
-/// One subcommand of `cusp db`. Its options are parsed and the address is known.
+/// One subcommand of `cusp db`, with its options parsed and its address known.
 struct Part
 {
     const char* name;
@@ -58,7 +58,7 @@ bool wantsJson(const QCommandLineParser& parser)
     return parser.isSet(QStringLiteral("json"));
 }
 
-/// Shows the progress of long work on one line of a terminal's stderr.
+/// Shows the progress of a long operation on one line of stderr, if that is a terminal.
 void tellProgress(const QString& what, qint64 count)
 {
     printText(QStringLiteral("\r%1: %2  ").arg(what).arg(count), stderr);
@@ -99,7 +99,8 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
     const bool hasAdmin = parser.isSet(QStringLiteral("admin"));
     std::string password;
     if (hasAdmin) {
-        // Checked first: otherwise there would be a file without an admin.
+        // Checks the name before the file is created: otherwise an invalid name would leave a database without an
+        // admin.
         if (auto fit = database::normalUsername(admin.toStdString()); !fit)
             return failed(fit.error());
         const auto typed = askSecret("Password of the new admin: ");
@@ -209,8 +210,9 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     const StopSignal stop;
     makeDataFolder(address);
     const QString backup = parser.positionalArguments().front();
-    // Attempts that were sent after the backup are marked to be sent again when the window opens next. This happens
-    // before the restore, so that a later failure loses none. Without its key an attempt cannot be read, and waits.
+    // Moves attempts that were delivered since the last backup back to the outbox: the window delivers them again when
+    // it opens. This happens before the restore, so that a later failure loses none. Without the station's key an
+    // attempt cannot be read, and stays where it is.
     const QDir folder = QFileInfo(address.file).absoluteDir();
     auto key = database::StationKey::make();
     if (QFileInfo::exists(stationKeyOf(address)))
@@ -254,10 +256,10 @@ struct Delivery
 {
     int sent = 0;
     int left = 0;
-    int damaged = 0;  ///< moved aside
+    int damaged = 0;  ///< moved to the folder of damaged files
 };
 
-/// Delivers the attempts waiting on this station, and warns of each that stays.
+/// Delivers the attempts waiting on this station, and warns of each that could not be delivered.
 /// @param isOfAll  whether attempts for other schools are delivered too
 Delivery deliverWaiting(const Address& address, const OpenSchool& open, bool isOfAll)
 {
@@ -271,7 +273,7 @@ Delivery deliverWaiting(const Address& address, const OpenSchool& open, bool isO
             continue;
         const core::Status done = letter ? letter->deliver(*open.school) : tl::unexpected(letter.error());
         if (done) {
-            // If several programs deliver at once, the one that removed the letter counts it.
+            // If several programs deliver the file at once, only the one that removes it counts it.
             if (address.isServer() ? letters.remove(file) : letters.keepArrived(file))
                 ++delivery.sent;
             continue;
@@ -289,8 +291,7 @@ Delivery deliverWaiting(const Address& address, const OpenSchool& open, bool isO
     return delivery;
 }
 
-/// Delivers all attempts waiting on this station, whichever school they were for: a school may have been renamed or
-/// moved.
+/// Delivers all attempts waiting on this station, for any school, because a school may have been renamed or moved.
 int sendWaiting(const QCommandLineParser& parser, const Address& address)
 {
     const auto open = openSchool(address, Opening::AsItIs);
@@ -331,10 +332,11 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     const auto session = logIn(parser, *from);
     if (!session)
         return failed(session.error());
-    // Before any file is created there.
+    // Checks the permission before any file is created at the target.
     if (const auto may = database::sql::authorize(*from->school, *session, database::Operation::CopySchool); !may)
         return failed(may.error());
-    // Attempts that wait for this school belong in the copy too: they are not looked for beside it.
+    // Attempts waiting for this school belong in the copy too: the copy has another identity, so they are not delivered
+    // to it.
     const Delivery delivered = deliverWaiting(address, *from, false);
     const StopSignal stop;
     const QStringList made = filesToMake(*target);
@@ -353,7 +355,7 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     if (!report) {
         to->school.reset();
         to->database.reset();
-        // Another program may be copying into it now, or have just done so.
+        // Another program may be copying into the target now, or may have done so.
         if (!made.isEmpty() && database::sql::expectClosed(target->file) &&
             database::sql::schoolOf(target->file).empty())
             for (const QString& file : made)
@@ -416,7 +418,7 @@ int tellStats(const QCommandLineParser& parser, const Address& address)
     return kDone;
 }
 
-/// Returns of some times, ms: the first one, without caches; the median; and the 99th percentile.
+/// Returns three figures of some times, ms: the first time, without caches; the median; and the 99th percentile.
 QJsonObject timesOf(std::vector<double> ms)
 {
     const auto rounded = [](double time) { return std::round(time * 100.0) / 100.0; };
@@ -427,7 +429,7 @@ QJsonObject timesOf(std::vector<double> ms)
             {"p99_ms", rounded(ms[(ms.size() * 99 + 99) / 100 - 1])}};
 }
 
-/// Measures the pages that students and teachers open most, and an export, with the present data.
+/// Measures the pages that students and teachers open most, and an export, with the data in the database.
 int measureSchool(const QCommandLineParser& parser, const Address& address)
 {
     namespace sql = database::sql;
@@ -482,7 +484,7 @@ int measureSchool(const QCommandLineParser& parser, const Address& address)
     }
     if (history.empty() || matrix.empty())
         return failed({ErrorCode::FileEmpty, "nobody is there to measure; enter students and classes first"});
-    // Not the peak: a login needs more memory for a moment than an export that grows.
+    // Not the peak memory: a login briefly needs more than an export, and would hide that the export grows.
     const double beforeMiB = bench::residentMiB();
     double largestMiB = beforeMiB;
     std::size_t parts = 0;

@@ -18,7 +18,7 @@
 namespace cli {
 namespace {
 
-/// Returns the work: that of a lesson, or the removal of a tooth's decay.
+/// Returns the assignment: that of a lesson, or the removal of a tooth's decay.
 core::Result<lessons::Assignment> workFor(const QCommandLineParser& parser, const core::teeth::ToothSource& source,
                                           const core::teeth::BuildOptions& build)
 {
@@ -109,7 +109,7 @@ int demoCommand(const QStringList& arguments)
               scoreText);
     const QString picture = folder.absoluteFilePath(QStringLiteral("picture.png"));
     QFile::remove(picture);
-    // Messages of Qt and the display on stderr are hidden from the user: the command reports one sentence.
+    // Hides the messages of Qt and the display on stderr, because the command reports the error in one sentence.
     const bool drawn = app::runOnDisplay({QStringLiteral("render"), QStringLiteral("--recording"), recording,
                                           QStringLiteral("--out"), picture},
                                          true) == kDone;

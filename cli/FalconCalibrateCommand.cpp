@@ -25,18 +25,18 @@ using haptics::falcon::Calibration;
 
 constexpr double kGravity = 9.80665;
 constexpr double kMmPerM = 1000.0;
-// Stiffness with which the grip is held at its height.
+// Spring and damper that hold the grip at its height.
 constexpr double kHoldNPerMm = 0.3;
 constexpr double kHoldNSPerMm = 0.004;
 constexpr double kHoldNPerMmS = 0.6;
 constexpr double kHoldMostN = 6.0;
 constexpr auto kSettles = 3000ms;
 constexpr auto kMeasures = 4000ms;
-// Meanwhile the grip moves up and down, so that dry friction, which opposes it, averages out.
+// The grip moves up and down during the measurement, so that dry friction averages out.
 constexpr double kSwingMm = 2.0;
 constexpr double kSwingHz = 0.5;
 
-/// Asks for Enter. Returns false at the end of the input or after Ctrl+C.
+/// Waits for Enter. Returns false at the end of the input or after Ctrl+C.
 bool confirmed(QTextStream& input, const QString& words)
 {
     warn({(words + QStringLiteral(" Then press Enter.")).toStdString()});

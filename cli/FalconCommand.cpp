@@ -86,7 +86,7 @@ core::Result<std::vector<Row>> readRows(const QString& name)
     return rows;
 }
 
-/// Returns a line of the answer. A grip that is out of reach has no numbers.
+/// Returns one line of the result. A position out of reach has no numbers.
 QByteArray solved(const Row& row)
 {
     constexpr double kMmPerM = 1000.0;

@@ -35,12 +35,12 @@ constexpr int kTooth = 36;
 constexpr int kRounds = 7;
 constexpr int kFramesARound = 12;
 constexpr int kTicksAFrame = 16;
-constexpr int kFramesToSettle = 40;  ///< frames until the hand is down
+constexpr int kFramesToSettle = 40;  ///< frames until the hand touches the tooth
 constexpr double kPaceMmPerS = 1.5;  ///< speed of a working hand
 constexpr double kCircleMm = 1.2;
 constexpr double kPushN = 1.0;
 constexpr auto kLatencyFor = 4s;
-constexpr auto kRest = 200ms;  ///< pause after the eye has moved, for a picture as fine as before
+constexpr auto kRest = 200ms;  ///< pause after the camera has moved, until the picture is fine again
 
 double processCpuS()
 {
@@ -62,7 +62,7 @@ double quantile(std::vector<double> values, double share)
     return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
 }
 
-/// An empty OpenGL widget: the cost that every one has.
+/// An empty OpenGL widget, to measure the cost of any such widget.
 class EmptyView final : public QOpenGLWidget
 {
 protected:
@@ -104,7 +104,7 @@ struct Work
         angle += kPaceMmPerS * seconds / kCircleMm;
         wish.publish({{kCircleMm * std::cos(angle), kCircleMm * std::sin(angle)}, 1.0, pushes, kPushN});
     }
-    /// Lets the time of one frame pass, all in this thread.
+    /// Simulates the time of one frame, in this thread.
     void pass(bool pushes)
     {
         moveHand(1.0e-3 * kTicksAFrame, pushes);
@@ -120,7 +120,7 @@ struct Scene
     const char* key;
     const char* name;
     bool pushes;
-    bool turns;  ///< the eye circles the tooth
+    bool turns;  ///< the camera circles the tooth
     ui::tooth::ViewSettings settings;
     const char* reach;
 };
@@ -161,7 +161,7 @@ void paintNow(ui::tooth::ToothView& view)
     QApplication::processEvents();
 }
 
-/// Paints frames and returns the cost of one, including all that Qt does to bring it to the screen.
+/// Paints frames and returns the cost of one, including all work of Qt to show it on the screen.
 /// @param shown  signal of a view that has brought a frame to the screen
 template <class View, class Signal>
 Cost costOf(View& view, Signal shown, const std::function<void()>& before)

@@ -113,7 +113,7 @@ int listLessons(const QStringList& arguments)
     return kDone;
 }
 
-/// Returns the tooth cut to the ideal, as far as a bur reaches.
+/// Returns the tooth cut to the ideal, as far as a bur can reach.
 core::terrain::Tooth cutTo(const std::vector<float>& ideal, const lessons::Assignment& assignment)
 {
     const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
@@ -129,15 +129,15 @@ core::terrain::Tooth cutTo(const std::vector<float>& ideal, const lessons::Assig
     return core::terrain::restored(assignment.anatomy, std::move(top));
 }
 
-/// Returns whether a measure is about the way of working: every attempt has it, but it is unknown here.
+/// Returns whether a measure is about the process of the attempt, which is unknown here.
 bool isOfTheWay(const std::string& measure)
 {
     const auto known = core::grading::findMeasure(measure);
     return known && core::grading::isOfProcess(*known) && !core::grading::isOfExercise(*known);
 }
 
-/// Returns the points that the rubric takes from a perfect cut of the ideal; empty if it takes none, and for an
-/// exercise, in which no cut is made.
+/// Returns the points that a perfect cut of the ideal would lose. Empty if it loses none, and for an exercise, which
+/// has no cut.
 QString lostByTheIdeal(const lessons::Assignment& assignment)
 {
     const core::grading::IdealTop ideal = assignment.shownIdeal();
@@ -192,7 +192,7 @@ int checkLessons(const QStringList& arguments)
                 read.faults.push_back({file, QStringLiteral("rubric"), lessons::noted(what), false});
             }
             if (assigned && read.lesson->expert) {
-                // The lesson can be given all the same.
+                // The lesson is usable without the expert's recording.
                 if (const auto expert = lessons::readExpert(assigned->assignment); !expert)
                     read.faults.push_back(
                         {file, QStringLiteral("expert.recording"), core::wordsOf(expert.error()), false});

@@ -108,7 +108,7 @@ core::Status bringScan(const QString& file, const QString& folder)
     return {};
 }
 
-/// Copies a captured ideal to the folder of the new lesson: a lesson names only files in its own folder.
+/// Copies a captured ideal to the folder of the new lesson, because a lesson refers only to files in its own folder.
 core::Status bringCaptured(const QString& file, const QString& folder)
 {
     const QFileInfo there(QDir(folder).filePath(QFileInfo(file).fileName()));
@@ -144,7 +144,7 @@ void addNewLessonOptions(QCommandLineParser& parser)
     option("out", "The lesson; in the teacher's folder under its id if not given.", "FILE.lesson.json");
 }
 
-/// Writes a lesson into a file if it can be given to students as it is.
+/// Writes a lesson to a file if it has no faults.
 core::Status writeLesson(const QJsonObject& object, const QString& out)
 {
     const lessons::ReadLesson read = lessons::readDraft(object, out);
@@ -312,7 +312,7 @@ int packLessonsPart(const QStringList& arguments)
         core::writeWhole(toPath(out), {bytes->constData(), static_cast<std::size_t>(bytes->size())}, "The pack");
     if (!written)
         return failed(written.error());
-    // Read like another Cusp would read it.
+    // Reads the pack back as another Cusp would read it.
     const auto files = lessons::readPack(out);
     if (!files)
         return failed(files.error());

@@ -62,7 +62,7 @@ void paintText(QPainter& painter, const QRectF& area, const lessons::Lesson& les
     document.setDefaultStyleSheet(QStringLiteral("p, td { margin: 2px 0 4px 0; }"));
     document.setTextWidth(area.width());
     document.setHtml(sheetText(lesson));
-    // A long rubric is shrunk, not cut.
+    // A long rubric is scaled down, so that it is complete.
     const double scale = std::min(1.0, area.height() / document.size().height());
     document.setTextWidth(area.width() / scale);
     painter.save();

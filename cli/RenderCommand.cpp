@@ -18,7 +18,7 @@
 namespace cli {
 namespace {
 
-constexpr int kAnyTooth = 36;  ///< used if a recording brings its own
+constexpr int kAnyTooth = 36;  ///< not shown: a recording contains its own tooth
 
 /// @param named  the requested tooth; empty: the one of the recording
 core::Result<RenderSubject> subjectOf(const QString& recordingFile, const QString& named,
@@ -44,7 +44,7 @@ core::Result<RenderSubject> subjectOf(const QString& recordingFile, const QStrin
     return RenderSubject{core::terrain::Tooth(tooth->anatomy), std::nullopt, nullptr};
 }
 
-/// Finds the ideal: the requested one, else the shape of a practice block, else the decay.
+/// Sets the ideal of the picture: the requested one, otherwise the shape of a practice block, otherwise the decay.
 core::Status findIdeal(RenderSubject& subject, const RenderWishes& wishes)
 {
     const auto& anatomy = subject.tooth.anatomy;

@@ -56,7 +56,7 @@ QString gridsText(const lessons::GridSensitivity& noise)
              noise.isUncertain() ? QStringLiteral("; the pass mark lies between") : QString());
 }
 
-/// A recording, what a replay of it came to, and how long that took.
+/// A recording, the result of its replay, and the duration of the replay.
 struct Replay
 {
     core::recording::Recording recording;

@@ -33,7 +33,7 @@ bool isStandardOutput(const QString& path)
     return path == u"-" || path == u"/dev/stdout";
 }
 
-/// Returns whether a path is a terminal, a null device or a pipe: those are written directly and not replaced.
+/// Returns whether a path is a terminal, a null device or a pipe. Those are written directly and not replaced.
 bool isStream(const QString& path)
 {
     std::error_code failure;
@@ -41,8 +41,8 @@ bool isStream(const QString& path)
     return std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
 }
 
-/// Writes the trace row by row. A file is written beside its final place and renamed when it is complete, so that a
-/// failure leaves the older trace. A stream gets the rows at once.
+/// Writes the trace row by row. A file is written under a temporary name and renamed when it is complete, so that a
+/// failure does not damage an older trace. A stream gets the rows at once.
 class TraceWriter
 {
 public:
@@ -156,7 +156,7 @@ void addOptions(QCommandLineParser& parser)
     addJson(parser);
 }
 
-/// Returns a bur by its name, or else the user's own from a file of that name.
+/// Returns a bur by its name, or otherwise the user's own bur from the file of that name.
 core::Result<std::size_t> burOf(const std::string& name)
 {
     auto known = core::bur::findBur(name);
@@ -203,7 +203,7 @@ core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLinePar
     return options;
 }
 
-/// Returns a sentence if the path begins below the reach of any handpiece.
+/// Returns a warning if the path begins deeper than any handpiece reaches.
 std::optional<std::string> tooDeep(const core::recording::DevicePath& path, double highestMm)
 {
     const double firstMm = path.points.front().tipMm.z;
@@ -216,8 +216,8 @@ std::optional<std::string> tooDeep(const core::recording::DevicePath& path, doub
         .toStdString();
 }
 
-/// Returns a sentence about the first output file that would overwrite another one of the command line, or an empty
-/// text.
+/// Returns an error about the first output file that would overwrite another file of the command line; empty if there
+/// is none.
 QString clashingFiles(const QCommandLineParser& parser)
 {
     const auto file = [&](const char* option) {
@@ -239,7 +239,7 @@ QString clashingFiles(const QCommandLineParser& parser)
     return {};
 }
 
-/// What a simulation works on.
+/// The inputs of a simulation.
 struct Work
 {
     haptics::SimulationOptions options;
@@ -250,8 +250,8 @@ struct Work
     [[nodiscard]] std::uint64_t ticks() const { return path.ticks(options.rateHz); }
 };
 
-/// Drives the tick over the path and writes the trace.
-/// @param passedOver  receives the number of readings to which no hand can have come
+/// Runs the simulation over the path and writes the trace.
+/// @param passedOver  set to the number of readings that were ignored because no hand can be there
 core::Result<haptics::SimulationOutcome> run(const Work& work, const QString& out, std::uint64_t& passedOver)
 {
     TraceWriter trace(out);
@@ -280,7 +280,7 @@ core::Result<haptics::SimulationOutcome> run(const Work& work, const QString& ou
     return outcome;
 }
 
-/// Prints the figures of a run: as JSON, or as text for a person.
+/// Prints the figures of a run as JSON or as readable text.
 void printFigures(const Work& work, const haptics::SimulationOutcome& outcome, const std::vector<std::string>& warnings,
                   bool asJson, std::FILE* figures)
 {
@@ -320,7 +320,7 @@ void printFigures(const Work& work, const haptics::SimulationOutcome& outcome, c
               figures);
 }
 
-/// Parses the command line. Returns an exit code if the command is over.
+/// Parses the command line. Returns an exit code if the command has nothing more to do.
 std::optional<int> parseCommand(QCommandLineParser& parser, const QStringList& arguments)
 {
     parser.setApplicationDescription(QStringLiteral("Drives the servo tick over a device path and writes what "
@@ -384,7 +384,7 @@ int simulateCommand(const QStringList& arguments)
     auto tooth = core::teeth::buildTooth(source, *build);
     if (!tooth)
         return failed(tooth.error());
-    tooth->mesh = {};  // only its maps are drilled
+    tooth->mesh = {};  // the simulation uses only the maps
     work.anatomy = tooth->anatomy;
     std::vector<std::string> warnings = tooth->report.warnings;
     if (const auto warning = tooDeep(work.path, tooth->report.highMm.z))

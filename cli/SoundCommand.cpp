@@ -41,7 +41,7 @@ struct SoundWish
 struct RenderedSound
 {
     std::vector<float> samples;
-    bool hasTurned = false;  ///< at some time
+    bool hasTurned = false;  ///< the bur has turned at some time
     bool hasTouched = false;
 };
 

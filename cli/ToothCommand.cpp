@@ -38,7 +38,7 @@ QJsonArray toJson(const glm::dvec3& v)
     return {v.x, v.y, v.z};
 }
 
-/// Tools rely on these keys: no key is renamed or removed, new keys may be added.
+/// Returns the report as JSON. Tools rely on the keys: never rename or remove one; new keys may be added.
 QJsonObject toJson(const ToothReport& report)
 {
     QJsonObject layers;

@@ -95,7 +95,7 @@ void printFrameText(const Picture& picture, const TagFrame& frame)
     printText((frame.tags.empty() ? line + QStringLiteral(" no tag") : line.chopped(1)) + u'\n');
 }
 
-/// Counts and times of all pictures.
+/// Counts and times over all pictures.
 class Summary
 {
 public:
@@ -158,7 +158,7 @@ core::Result<TrackerSettings> settingsFrom(const QCommandLineParser& parser)
             return tl::unexpected(id.error());
         settings.id = static_cast<int>(*id);
     }
-    // Pictures of a file may take any time.
+    // A file has no time limit for each picture, unlike a camera.
     settings.isThorough = !parser.isSet(QStringLiteral("camera"));
     if (const auto checked = check(settings); !checked)
         return tl::unexpected(checked.error());
@@ -210,7 +210,7 @@ int track(PictureSource& source, TagTracker& tracker, qint64 most, bool isJson)
     return unread == 0 ? kDone : kFailed;
 }
 
-/// Checks the path first, so that nobody shows a board to the camera for minutes in vain.
+/// Checks the path before the calibration starts, so that its minutes of work are not lost.
 core::Status checkWritable(const QString& path)
 {
     const QString folder = QFileInfo(path).absolutePath();

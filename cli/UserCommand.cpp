@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// cusp user: the people of a school, one by one. cusp import roster and cusp export attempts: many at once.
+// cusp user: commands for single people of a school. cusp import roster and cusp export attempts: for many at once.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -47,7 +47,7 @@ void addCommon(QCommandLineParser& parser)
     parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
 }
 
-/// An open school, and the person who works with it.
+/// An open school and the login of the acting user.
 struct Desk
 {
     OpenSchool open;
@@ -79,7 +79,7 @@ QJsonObject toJson(const Person& person)
             {"last_login_utc", QString::fromStdString(person.lastLoginUtc)}};
 }
 
-/// Checks that the codes were printed. Codes are shown once; if they cannot be written, the work is still done.
+/// Checks that the codes were printed. They are shown only once. If printing fails, the change in the database stays.
 int expectTold(const std::string& done)
 {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
@@ -216,7 +216,8 @@ constexpr std::array kParts{
          "lets a person no longer log in; what he did stays", addEnable, disableUser},
 };
 
-/// Refuses a path that SQLite would take for its own file, and delete or read into the school when that is opened.
+/// Returns an error for a path that SQLite uses for its own files: SQLite could delete the file, or read it into the
+/// database.
 core::Status expectNotBeside(const QString& path, const database::Address& school)
 {
     const auto placeOf = [](const QString& file) {
@@ -230,7 +231,7 @@ core::Status expectNotBeside(const QString& path, const database::Address& schoo
     return {};
 }
 
-/// Refuses to overwrite a file. Codes are shown once, and those of an overwritten file would be lost.
+/// Returns an error if the file exists, because overwriting a file of codes would lose them.
 core::Status expectNew(const QString& path, const database::Address& school)
 {
     if (QFileInfo::exists(path))
@@ -240,8 +241,8 @@ core::Status expectNew(const QString& path, const database::Address& school)
     return expectNotBeside(path, school);
 }
 
-/// Returns where a table is written. It may replace an older table, but not a database, a station's key or a backup.
-/// Links are followed first, because saving through a link replaces its target.
+/// Returns the path where a table is written. It may replace an older table, but not a database, a station's key or a
+/// backup. Follows links first, because saving through a link would replace its target.
 core::Result<QString> placeOfTable(const QString& path, const database::Address& school)
 {
     const QFileInfo named(path);
@@ -383,7 +384,7 @@ int importCommand(const QStringList& arguments)
         return wrongUsage("usage: " + usage);
     if (const auto code = refuseNobody(parser))
         return *code;
-    // Checked before it is opened: reading a pipe could wait for ever.
+    // Checked before opening the file, because reading a pipe could block forever.
     const QFileInfo list(words.back());
     if (list.exists() && !list.isFile())
         return failed({ErrorCode::FileUnreadable,
@@ -413,7 +414,7 @@ int importCommand(const QStringList& arguments)
         std::any_of(outcome->people.begin(), outcome->people.end(), [](const auto& person) { return person.isNew; });
     if (!dryRun && outcome->faults.empty() && toFile && hasCodes)
         if (const auto written = database::writeCodes(codes, outcome->people); !written) {
-            // The people are entered: their codes must not be lost.
+            // The people exist in the database now, so their codes must not be lost.
             tellRoster(parser, *outcome, dryRun, true);
             return failed(written.error());
         }
@@ -442,9 +443,10 @@ int exportCommand(const QStringList& arguments)
     const auto place = toStdout ? core::Result<QString>() : placeOfTable(path, desk->open.database->address());
     if (!place)
         return failed(place.error());
-    // Before the file: its temporary file is removed when writing is stopped.
+    // Created before the file, whose destructor removes its temporary file when the command is stopped.
     const StopSignal stop;
-    // Names and marks: a new file is readable only by its owner, and an existing one keeps its permissions.
+    // The table contains names and scores: a new file is readable only by its owner, and an existing one keeps its
+    // permissions.
     const bool isNew = !QFileInfo::exists(*place);
     QSaveFile file(*place);
     if (!toStdout &&

@@ -27,7 +27,7 @@ namespace {
 constexpr int kSamples = 4;
 constexpr int kFirstTooth = 36;
 
-/// Returns whether there is a display. Without one Qt would abort with its own message.
+/// Returns whether there is a display. Without a display, Qt would abort with its own message.
 bool hasDisplay(std::span<char*> arguments)
 {
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
@@ -54,7 +54,7 @@ void addOptions(QCommandLineParser& parser)
     addToothOptions(parser);
 }
 
-/// Reads the options of the window, or explains what is wrong with them and returns the exit code.
+/// Reads the options of the window. If one is wrong, prints an explanation and returns the exit code.
 std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& arguments, app::WindowOptions& options)
 {
     addOptions(parser);
@@ -86,7 +86,8 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
     options.recording = parser.value(QStringLiteral("recording"));
     options.picture = parser.value(QStringLiteral("picture"));
     options.database = parser.value(QStringLiteral("db"));
-    // A recording, picture or tooth that is named is shown at once, and the work of a simulated hand belongs to nobody.
+    // With a named recording, picture or tooth, the window opens it at once. With a simulated hand, no user works.
+    // Neither needs a login.
     options.asksWho = options.recording.isEmpty() && options.picture.isEmpty() &&
                       options.device != QLatin1String(ui::devices::kSimulated) &&
                       !parser.isSet(QStringLiteral("tooth"));
@@ -94,7 +95,7 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
     return std::nullopt;
 }
 
-/// Reports, without a display, that the usage is wrong or that there is no display.
+/// Prints, without a display, that the usage is wrong or that there is no display.
 int sayThereIsNoDisplay(int& argc, char** argv)
 {
     const QCoreApplication application(argc, argv);
@@ -106,7 +107,7 @@ int sayThereIsNoDisplay(int& argc, char** argv)
                    "there is no display to open a window on; \"cusp help\" lists what works without one"});
 }
 
-/// Returns the requested language, or the one chosen in the run before, or the system's.
+/// Returns the requested language, otherwise the one of the last run, otherwise that of the system.
 QString languageOf(const QCommandLineParser& parser)
 {
     if (parser.isSet(QStringLiteral("language")))
@@ -121,7 +122,7 @@ QString windowOptionsHelp()
 {
     QCommandLineParser parser;
     addOptions(parser);
-    // Qt writes a usage line and the description before the options.
+    // The text of Qt begins with a usage line and the description, which are removed.
     return parser.helpText().section(QStringLiteral("Options:\n"), 1);
 }
 

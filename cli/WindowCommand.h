@@ -5,10 +5,10 @@
 
 namespace cli {
 
-/// Opens the window and runs until it is closed. Returns the exit code; wrong usage is explained on stderr.
+/// Opens the window and runs until it is closed. Returns the exit code. Explains wrong usage on stderr.
 int runWindow(int& argc, char** argv);
 
-/// Returns the options that runWindow() accepts, with an explanation, one per line.
+/// Returns the options that runWindow() accepts, with explanations, one per line.
 [[nodiscard]] QString windowOptionsHelp();
 
 }  // namespace cli

@@ -22,8 +22,7 @@ QString decoded(const QString& part)
     return QUrl::fromPercentEncoding(part.toUtf8());
 }
 
-/// Returns the target of a link: -wal and -shm, backups and the station's key are beside the file itself, whatever its
-/// name.
+/// Returns the target of a link: -wal and -shm, backups and the station's key are beside the target, not the link.
 QString linkedFile(const QString& name)
 {
     const QFileInfo file(name);
@@ -57,13 +56,13 @@ core::Result<Address> Address::parse(const QString& text)
         if (text.startsWith(scheme, Qt::CaseInsensitive))
             rest = text.mid(scheme.size());
     if (rest.isNull()) {
-        // A misspelt scheme shall not become the name of a file.
+        // Otherwise a misspelt scheme would become the name of a file.
         if (text.contains(QStringLiteral("://")))
             return tl::unexpected(wrong(QStringLiteral("names a kind of server that Cusp does not know")));
         if (text.trimmed().isEmpty())
             return core::unexpected(core::ErrorCode::FileMissing,
                                     "the database has no name; give a file or postgresql://user@host/name");
-        // What Qt and SQLite would take for something else than a file.
+        // Qt and SQLite do not treat these as names of files.
         if (text.startsWith(':') || text.startsWith(QStringLiteral("file:"), Qt::CaseInsensitive))
             return core::unexpected(core::ErrorCode::WrongKind,
                                     QStringLiteral("\"%1\" is no name of a file for a database; give another, or its "
@@ -83,7 +82,7 @@ core::Result<Address> Address::parse(const QString& text)
         address.password = decoded(who.section(':', 1));
         server = server.section('@', -1);
     }
-    // The colons of an IPv6 address stand within brackets.
+    // The colons of an IPv6 address are inside brackets.
     const auto bracket = server.lastIndexOf(']');
     if (const auto colon = server.indexOf(':', bracket + 1); colon >= 0) {
         bool isNumber = false;
@@ -97,7 +96,7 @@ core::Result<Address> Address::parse(const QString& text)
     address.host = decoded(server);
     if (address.name.isEmpty() || address.name.contains('/'))
         return tl::unexpected(wrong(QStringLiteral("names no database")));
-    // Of a password the server has the last word; no keyboard has those that end a line.
+    // The server decides which passwords are valid. Control characters, which cannot be typed, are rejected.
     const auto isControl = [](QChar c) { return c.category() == QChar::Other_Control; };
     const bool isSeen = canBeSeen(address.name.toStdString()) && canBeSeen(address.user.toStdString()) &&
                         canBeSeen(address.host.toStdString());

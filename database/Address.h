@@ -11,10 +11,10 @@ namespace database {
 struct Address
 {
     QString file;      ///< path of the SQLite file; empty: a server
-    QString host;      ///< a name, an address, or the folder of a socket; empty: the default socket of this computer
+    QString host;      ///< a name, an address or the folder of a socket; empty: this computer's default socket
     int port = 0;      ///< 0: the default port
     QString user;      ///< empty: the user's name on this computer
-    QString password;  ///< better stored in ~/.pgpass, where no command line shows it
+    QString password;  ///< better stored in ~/.pgpass, because others can see command lines
     QString name;      ///< of the database
     QString sslMode;   ///< as in libpq: "require", "verify-full" ...; empty: its default
 

@@ -24,7 +24,7 @@ struct AttemptRecord
 {
     std::int64_t id = 0;      ///< assigned by the database
     std::string uid;          ///< 32 hex digits, assigned when it was graded, so that no attempt is stored twice
-    PersonId person;          ///< 0: a guest, or from before there were people
+    PersonId person;          ///< 0: a guest, or an attempt from before Cusp had accounts
     std::string personUid;    ///< of that person
     std::string finishedUtc;  ///< ISO 8601, "2026-11-20T10:15:00Z"
     std::string tooth;        ///< FDI number or file name
@@ -32,9 +32,9 @@ struct AttemptRecord
     std::string lessonHash;   ///< of the lesson's content, 64 hex digits; empty without a lesson
     std::string rubricHash;   ///< of the rubric's content
     int scoreTenths = 0;      ///< the computed score; tenths of a point, 0 to 1000
-    bool passed = false;      ///< by the computed score: the pass mark was reached without a critical error
+    bool passed = false;      ///< by the computed score: it reached the pass mark, without a critical error
     int passMarkTenths = 0;
-    std::optional<int> givenTenths;     ///< the score that an instructor gave instead
+    std::optional<int> givenTenths;     ///< the instructor's score, which overrides the computed one
     std::optional<int> expectedTenths;  ///< the score that the student expected before seeing it
     std::int64_t durationMs = 0;
     std::vector<CriterionLoss> criteria;
@@ -55,7 +55,7 @@ struct AttemptRecord
     int peakForceMn = 0;
     bool operator==(const AttemptRecord&) const = default;
 
-    /// Returns the score that counts: the instructor's if there is one.
+    /// Returns the score that counts: the instructor's if there is one, otherwise the computed score.
     [[nodiscard]] int countingTenths() const { return givenTenths.value_or(scoreTenths); }
     [[nodiscard]] bool countsAsPassed() const { return givenTenths ? *givenTenths >= passMarkTenths : passed; }
 };
@@ -65,10 +65,10 @@ struct HistoryQuery
 {
     std::string lessonId;  ///< empty: of any lesson
     std::string tooth;     ///< not empty: practice without a lesson, at this tooth
-    int limit = 0;         ///< at most so many; 0: all
+    int limit = 0;         ///< largest number of attempts; 0: all
 };
 
-/// An exam that was begun: something was cut, or answered.
+/// An exam that was begun: the student has cut or answered something.
 struct ExamStart
 {
     std::string uid;  ///< 32 hex digits, assigned when it began
@@ -77,7 +77,7 @@ struct ExamStart
     bool operator==(const ExamStart&) const = default;
 };
 
-/// Feedback of others on an attempt.
+/// Feedback of other people on an attempt.
 struct Feedback
 {
     AttemptId attempt;

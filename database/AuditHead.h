@@ -14,15 +14,15 @@ struct AuditHead
     std::string hash;
     bool operator==(const AuditHead&) const = default;
 
-    /// The audit code, as reports show it: "412-9f3ac07be1d2". `cusp db check --witness` takes it.
+    /// Returns the audit code as reports show it: "412-9f3ac07be1d2". `cusp db check --witness` accepts it.
     [[nodiscard]] std::string code() const;
 };
 
-/// Returns the row that an audit code names, and as many digits of its hash as were typed (12 to 64), in small letters.
-/// Empty: the text is not an audit code.
+/// Parses an audit code: returns the number of the row and the typed digits of its hash (12 to 64), in lower case.
+/// Empty if the text is no audit code.
 [[nodiscard]] std::optional<AuditHead> readAuditCode(const std::string& typed);
 
-/// Which rows of the audit are read: in a busy school most rows record that an attempt was begun or saved.
+/// Selects the rows of the audit to read. In a busy school, most rows record that an attempt was begun or saved.
 enum class AuditRows { All, WithoutAttempts };
 
 }  // namespace database

@@ -10,12 +10,12 @@
 
 #include "database/Login.h"
 
-/// Data of a class for its teacher, and of an attempt for all who may see it. Plain values, filled by
-/// database/sql/Overview.
+/// Data of a class for its teacher, and of an attempt for all users who may see it. Plain values, which
+/// database/sql/Overview.h returns.
 namespace database {
 
-/// The scores of a class at one lesson by attempt: the band behind a student's own curve, and the learning curve. Empty
-/// for fewer than lessons::kFewestPeople people.
+/// One point of the band of a class's scores at a lesson: the scores of the nth attempts. The band is shown behind a
+/// student's own curve and as learning curve of the class. It is empty for fewer than lessons::kFewestPeople people.
 struct BandPoint
 {
     int attempt = 0;  ///< first, second ...
@@ -26,7 +26,7 @@ struct BandPoint
     bool operator==(const BandPoint&) const = default;
 };
 
-/// Medians of score and time over a class's attempts at a lesson. Empty for too few people.
+/// Medians of score and time over a class's attempts at a lesson.
 struct LessonMedians
 {
     int people = 0;
@@ -48,7 +48,7 @@ struct MatrixCell
     bool operator==(const MatrixCell&) const = default;
 
     /// Returns whether the student has not passed and has no attempt left, as sql::attemptsLeft() reports.
-    /// @param limit  of this class; 0: no limit
+    /// @param limit  limit of this class; 0: none
     [[nodiscard]] bool isUsedUp(int limit) const
     {
         const bool isLimited = limit > 0 && limitElsewhere.value_or(limit) > 0;
@@ -70,7 +70,7 @@ struct MatrixStudent
     bool operator==(const MatrixStudent&) const = default;
 };
 
-/// The results of the students of a class by lesson.
+/// The results of the students of a class, by lesson.
 struct ClassOverview
 {
     ClassId id;
@@ -125,7 +125,7 @@ struct AttemptComment
     bool operator==(const AttemptComment&) const = default;
 };
 
-/// A comment that is to be added.
+/// A new comment, to be added to an attempt.
 struct NewComment
 {
     std::string words;
@@ -142,7 +142,7 @@ struct AttemptOverride
     bool operator==(const AttemptOverride&) const = default;
 };
 
-/// The comments on an attempt and the scores given, oldest first.
+/// The comments on an attempt and its overrides, oldest first.
 struct AttemptTalk
 {
     std::vector<AttemptComment> comments;

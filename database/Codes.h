@@ -10,8 +10,8 @@
 
 namespace database {
 
-/// Writes the one-time codes of new people as CSV (username, name, code) to a file that only its owner may read. Error
-/// FileUnwritable.
+/// Writes the one-time codes of new people as CSV (username, name, code) to a file that only its owner may read.
+/// Returns FileUnwritable if that fails.
 [[nodiscard]] core::Status writeCodes(const QString& path, const std::vector<RosterPerson>& people);
 
 }  // namespace database

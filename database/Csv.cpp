@@ -55,8 +55,7 @@ std::optional<CsvFault> noTextIn(std::string_view bytes)
     return {};
 }
 
-/// Returns whether a spreadsheet would read a text as a formula. Japanese and Chinese ones accept full-width signs as
-/// well.
+/// Returns whether a spreadsheet would read a text as a formula. Japanese and Chinese ones accept full-width signs too.
 bool beginsFormula(std::string_view text)
 {
     constexpr std::array<std::string_view, 10> kBeginnings{"=",  "+",      "-",      "@",      "\t",
@@ -91,7 +90,7 @@ tl::expected<std::vector<CsvRow>, CsvFault> readCsv(std::string_view bytes)
         bytes.remove_prefix(kByteOrderMark.size());
     if (const auto fault = noTextIn(bytes))
         return tl::unexpected(*fault);
-    // A spreadsheet's own first line, "sep=;", names the separator and nothing else.
+    // The line "sep=;", which some spreadsheets write first, only names the separator.
     constexpr std::string_view kNamed = "sep=";
     const std::string_view first = bytes.substr(0, bytes.find_first_of("\r\n"));
     const bool isNamed = first.size() == kNamed.size() + 1 && first.substr(0, kNamed.size()) == kNamed;
@@ -111,7 +110,7 @@ tl::expected<std::vector<CsvRow>, CsvFault> readCsv(std::string_view bytes)
     };
     const auto endRow = [&] {
         endField();
-        // A spreadsheet writes the rows below the last as separators only.
+        // Spreadsheets write empty rows after the last one as separators only.
         const auto isBlank = [](const std::string& text) {
             return text.find_first_not_of(" \t\r") == std::string::npos;
         };
@@ -120,7 +119,7 @@ tl::expected<std::vector<CsvRow>, CsvFault> readCsv(std::string_view bytes)
         row = {line + 1, {}};
     };
     for (std::size_t at = 0; at < bytes.size(); ++at, ++column) {
-        // Lines end with \n, \r\n, or as on an old Macintosh with \r.
+        // Lines end with \n, \r\n or, in files of old Macintosh computers, \r.
         const bool isOldEnd = bytes[at] == '\r' && at + 1 < bytes.size() && bytes[at + 1] != '\n';
         const char c = isOldEnd && in != In::Quoted ? '\n' : bytes[at];
         if (in == In::Quoted) {

@@ -20,7 +20,7 @@ struct CsvRow
     std::vector<std::string> fields;
 };
 
-/// Why a file cannot be read as CSV, and the place: line and character from 1.
+/// The reason why a file cannot be read as CSV, and the place: line and character from 1.
 struct CsvFault
 {
     enum class Kind {
@@ -35,8 +35,7 @@ struct CsvFault
 };
 
 /// Reads CSV in UTF-8, with or without a byte order mark. The separator is the most frequent of comma, semicolon and
-/// tab in the first line, or the one given by a line "sep=;" before it. Empty lines, and those of separators only, are
-/// skipped.
+/// tab in the first line, or the one given by a first line "sep=;". Skips empty lines and lines of separators only.
 [[nodiscard]] tl::expected<std::vector<CsvRow>, CsvFault> readCsv(std::string_view bytes);
 
 }  // namespace database

@@ -18,7 +18,7 @@ namespace database {
 FileSystem fileSystemOf(const QString& path)
 {
 #ifdef __linux__
-    // The magic numbers of statfs(2).
+    // Magic numbers of network file systems, see statfs(2).
     static constexpr std::array<std::uint32_t, 14> kNetworks{0x6969,       // NFS
                                                              0x517B,       // SMB
                                                              0xFF534D42,   // CIFS

@@ -8,7 +8,7 @@
 
 namespace database {
 
-/// Ids of the database, each of its own type, so that they cannot be confused.
+/// Ids in the database. Each kind has its own type, so that they cannot be confused.
 struct PersonId
 {
     std::int64_t value = 0;

@@ -84,8 +84,8 @@ bool takeAttempt(core::ByteReader& bytes, AttemptRecord& attempt)
     return bytes.ok();
 }
 
-/// Returns whether a letter has the form that this program writes. No database takes any other, so it would block the
-/// letters behind it.
+/// Returns whether a file has the form that this program writes. No database accepts any other, so it would block the
+/// files behind it.
 bool isFit(const std::string& uid, const std::vector<const std::string*>& texts)
 {
     return uid.size() == kUidLength && std::none_of(texts.begin(), texts.end(), [](const std::string* text) {
@@ -102,7 +102,7 @@ bool isFit(AttemptRecord& attempt)
     return isFit(attempt.uid, texts);
 }
 
-/// Returns the letters of a folder, oldest first.
+/// Returns the files in a folder, oldest first.
 QStringList lettersIn(const QString& folder)
 {
     QStringList files;
@@ -113,7 +113,7 @@ QStringList lettersIn(const QString& folder)
     return files;
 }
 
-/// Moves a letter to a folder. A file of the same name there is the same attempt, and is replaced.
+/// Moves a file to a folder. It replaces a file of the same name, which contains the same attempt.
 bool move(const QString& file, const QString& folder)
 {
     makeOwnFolder(folder);
@@ -134,8 +134,8 @@ core::Error damaged(const QString& file)
     return refused(ErrorCode::BadStructure, file, "it is damaged; it is kept in the folder \"damaged\"");
 }
 
-/// Returns why a letter could not be read. It is checked afterwards, because another program of the same user may have
-/// delivered it.
+/// Returns why a file could not be read. First checks whether it still exists, because another program of the same user
+/// may have delivered it.
 core::Error unreadable(const QString& file)
 {
     const QFileInfo now(file);
@@ -179,13 +179,13 @@ core::Status Outbox::write(const QString& name, const std::string& content) cons
     makeOwnFolder(m_folder);
     const QString path = QDir(m_folder).filePath(name);
     const QByteArray bytes = QByteArray::fromStdString(std::string(kMagic) + m_key.publicHex() + signature + content);
-    QSaveFile file(path);  // synced before it gets its name
+    QSaveFile file(path);  // syncs the content before it renames the file
     if (!file.open(QIODevice::WriteOnly) || !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) ||
         file.write(bytes) != bytes.size() || !file.flush() || !file.commit())
         return tl::unexpected(refused(ErrorCode::FileUnwritable, path,
                                       "it cannot be written (" + file.errorString().toStdString() +
                                           "); make room on the disk, and grade the work again"));
-    core::bringToDisk(m_folder.toStdU16String());  // with the name of the new file
+    core::bringToDisk(m_folder.toStdU16String());  // syncs the name of the new file
     return {};
 }
 
@@ -201,7 +201,7 @@ bool Outbox::isOfAnother(const QString& file) const
         school = readExam(file).map([](const ExamLetter& letter) { return letter.school; }).value_or(QString());
     else
         school = read(file).map([](const PendingAttempt& letter) { return letter.school; }).value_or(QString());
-    // A file that is gone may be this school under an earlier name.
+    // If the other database does not exist, it may be this one under an earlier path.
     return !m_school.isEmpty() && !school.isEmpty() && school != m_school &&
            QFileInfo::exists(QFileInfo(m_folder).dir().filePath(school));
 }
@@ -232,7 +232,7 @@ bool Outbox::isExam(const QString& file)
 core::Result<std::string> Outbox::contentOf(const QString& path) const
 {
     constexpr std::size_t kHead = kMagic.size() + kKeyDigits + kSignatureDigits;
-    // Cusp puts no links there, and what one leads to is not its to move.
+    // Cusp does not create links here, and the target of a link may not belong to Cusp.
     const auto all = QFileInfo(path).isSymLink() ? std::nullopt : database::contentOf(path, kLargest);
     if (!all)
         return tl::unexpected(unreadable(path));
@@ -264,7 +264,7 @@ core::Result<Outbox::PendingAttempt> Outbox::read(const QString& path) const
     if (!parts.ok() || !takeAttempt(fields, letter.attempt) || !isFit(letter.attempt))
         return tl::unexpected(damaged(path));
     letter.recording = QByteArray::fromStdString(recording);
-    letter.school = QString::fromStdString(parts.takeText());  // nothing in those of earlier programs
+    letter.school = QString::fromStdString(parts.takeText());  // empty if written by an older program
     return letter;
 }
 

@@ -34,7 +34,7 @@ double threadMs()
     return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
-/// Returns the normal form of a password, so that the same letters from another keyboard are the same password.
+/// Returns the normal form of a password, so that it matches when it is typed on another keyboard.
 QByteArray normal(const std::string& password)
 {
     return QString::fromStdString(password).normalized(QString::NormalizationForm_KC).toUtf8();
@@ -70,7 +70,7 @@ PasswordCost timedCost(double goalMs)
 namespace {
 
 constexpr qsizetype kFewestLetters = 4;
-constexpr qsizetype kNameLetters = 4;  ///< a shorter name stands in many words
+constexpr qsizetype kNameLetters = 4;  ///< a shorter username is part of too many words
 const QStringList kTriedFirst{
     "abc",    "admin",   "administrator", "asdf",     "baseball",  "changeme", "contraseña", "contrasena",
     "cusp",   "default", "demo",          "dental",   "dentist",   "dragon",   "football",   "geheim",
@@ -83,7 +83,7 @@ const QStringList kRows{"0123456789012345", "abcdefghijklmnopqrstuvwxyz",
                         "azertyuiop",       "asdfghjklöä",
                         "zxcvbnm",          "yxcvbnm"};
 
-/// Removes digits and signs at both ends.
+/// Removes digits and punctuation at both ends.
 QString wordIn(const QString& text)
 {
     qsizetype from = 0;
@@ -95,7 +95,7 @@ QString wordIn(const QString& text)
     return text.mid(from, to - from);
 }
 
-/// Replaces signs by the letters that they are used for: "p@ssw0rd".
+/// Replaces digits and symbols with the letters that they stand for: "p@ssw0rd".
 QString spelled(QString text)
 {
     for (const auto& [sign, letter] :
@@ -113,8 +113,8 @@ bool isInARow(const QString& text)
                        [&](const QString& row) { return row.contains(text) || row.contains(back); });
 }
 
-/// Returns whether a password is among the first guesses (NIST SP 800-63B, 5.1.1.2: common words, repetitions,
-/// sequences, the user's name).
+/// Returns whether a password is one of the first guesses of an attacker (NIST SP 800-63B, 5.1.1.2: common words,
+/// repetitions, sequences, the username).
 /// @param given, username  in lower case
 bool isTriedFirst(const QString& given, const QString& username)
 {

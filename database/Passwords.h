@@ -7,8 +7,8 @@
 
 #include "core/base/Result.h"
 
-/// Password hashes by libsodium's Argon2id. A hash deliberately takes a fraction of a second and tens of megabytes: do
-/// not compute it on the ui thread. Any other thread.
+/// Password hashes by libsodium's Argon2id. A hash deliberately takes a fraction of a second and tens of megabytes.
+/// Call these functions in any thread except the ui thread.
 namespace database {
 
 /// The cost of a hash. The default is libsodium's INTERACTIVE, above OWASP's minimum of 19 MiB and 2 passes.
@@ -19,8 +19,8 @@ struct PasswordCost
     bool operator==(const PasswordCost&) const = default;
 };
 
-/// Limits of the cost. Hashes that ask for more are not computed: a person with write access to the database must not
-/// be able to block all logins.
+/// Limits of the cost. Hashes with a higher cost are not computed: otherwise a person with write access to the database
+/// could block all logins.
 inline constexpr unsigned long long kMostPasses = 16;
 inline constexpr std::size_t kMostMemoryBytes = std::size_t{1} << 30U;
 
@@ -28,7 +28,7 @@ inline constexpr std::size_t kMostMemoryBytes = std::size_t{1} << 30U;
 [[nodiscard]] PasswordCost timedCost(double goalMs = 350.0);
 
 inline constexpr int kShortestPassword = 8;
-inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: a longer password would keep the station busy
+inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a longer password would take too long
 
 /// Checks a new password. OutOfRange with one sentence: too short, too long, contains the username, or is easily
 /// guessed: a common word with digits around it, adjacent keys, three repeated characters.
@@ -36,12 +36,12 @@ inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: a longer pass
 
 /// Returns "$argon2id$v=19$m=65536,t=2,p=1$salt$hash". FileTooLarge if there is not enough memory.
 [[nodiscard]] core::Result<std::string> hashPassword(const std::string& password, const PasswordCost& cost);
-/// Returns whether a password matches a hash. FileTooLarge if there is not enough memory to decide. False if
-/// isPasswordHash() is.
+/// Returns whether a password matches a hash. Returns false if isPasswordHash() does. FileTooLarge if there is not
+/// enough memory to compute the hash.
 [[nodiscard]] core::Result<bool> fits(const std::string& password, const std::string& hash);
-/// Returns whether hashPassword() can have made this hash; no password matches others.
+/// Returns whether a text has the form of a hash of hashPassword(). No password matches any other text.
 [[nodiscard]] bool isPasswordHash(const std::string& hash);
-/// Returns whether a hash was made at a lower cost, in passes or memory, and at a higher one in neither.
+/// Returns whether a hash has fewer passes or less memory than `cost`, and not more of either. True if it is no hash.
 [[nodiscard]] bool wantsRehash(const std::string& hash, const PasswordCost& cost);
 
 /// Returns twelve unambiguous letters and digits in groups of four: "K7QM-2XHP-9RTB".
@@ -52,7 +52,7 @@ inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: a longer pass
 inline constexpr std::size_t kUidLength = 32;
 /// Returns a random uid of kUidLength hex digits.
 [[nodiscard]] std::string newUid();
-/// Returns a uid derived from an identity: the same for the same identity.
+/// Returns a uid derived from an identity. The same identity always gives the same uid.
 [[nodiscard]] std::string uidOf(std::string_view identity);
 /// Returns the BLAKE2b-256 of bytes, 64 hex digits.
 [[nodiscard]] std::string digestOf(std::string_view bytes);

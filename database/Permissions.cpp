@@ -13,7 +13,7 @@ constexpr Reach kOwn = Reach::Own;
 constexpr Reach kClasses = Reach::Classes;
 constexpr Reach kAll = Reach::All;
 
-/// Guest, student, instructor, admin; in the order of Operation. An admin runs the school but marks no work.
+/// Columns: guest, student, instructor, admin. Rows: in the order of Operation. Admins do not grade.
 constexpr std::array<std::array<Reach, kRoles>, kOperations> kTable{{
     {kNone, kOwn, kOwn, kOwn},          // ChangeOwnPassword
     {kNone, kNone, kClasses, kAll},     // ListPeople

@@ -56,7 +56,7 @@ enum class Reach : std::uint8_t {
     All
 };
 
-/// Returns the access of a role for an operation: the table of permissions.
+/// Returns the access that a role has for an operation, from the table of permissions.
 [[nodiscard]] Reach reachOf(Operation operation, Role role);
 
 }  // namespace database

@@ -41,8 +41,8 @@ struct Person
     }
 };
 
-/// A person who cannot log in by password yet, and the one-time code with which they can. The code is stored as a hash
-/// only: show it now.
+/// A person who cannot log in by password yet, and the one-time code for their first login. Only a hash of the code is
+/// stored, so show the code now.
 struct Entered
 {
     Person person;
@@ -69,10 +69,10 @@ struct ClassAssignment
     bool operator==(const ClassAssignment&) const = default;
 };
 
-/// The most lines of a class list, the line that names the columns included.
+/// The largest number of lines of a class list, including the header.
 inline constexpr std::size_t kMostRosterLines = 20'000;
 
-/// What an import of a class list found, or did.
+/// A fault of a class list that an import found.
 struct RosterFault
 {
     enum class Kind {

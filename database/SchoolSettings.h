@@ -7,7 +7,7 @@
 /// Settings and hardness presets as a school stores them.
 namespace database {
 
-/// Settings by name. Names and values are text; their users interpret them.
+/// Settings by name. Names and values are text, which the users of a setting interpret.
 using SettingsMap = std::map<std::string, std::string>;
 
 /// The outcome of replacing a setting.
@@ -17,9 +17,9 @@ struct ReplacedSetting
     std::string before;  ///< the value until then; empty: there was none
 };
 
-/// The school's setting for the preset in use, as "name v2". Empty: the preset that is shipped.
+/// Setting of the school for the preset in use, as "name v2". Empty: the preset that is shipped with Cusp.
 inline const std::string kPresetInUse = "preset.in_use";
-/// The school's setting for the names of the presets that are no longer offered, one per line.
+/// Setting of the school for the names of the retired presets, which are no longer offered, one per line.
 inline const std::string kRetiredPresets = "preset.retired";
 
 /// A version of a hardness preset, with the content of its file.

@@ -6,10 +6,10 @@
 
 namespace database {
 
-/// Initialises libsodium. Call before any of its functions; repeated calls are allowed. Any thread.
+/// Initialises libsodium. Call it before any function of libsodium; it may be called repeatedly, in any thread.
 bool beginSodium();
 
-/// Returns two lower-case digits for each byte.
+/// Returns the bytes as lower-case hex digits, two for each.
 [[nodiscard]] std::string hexOf(const unsigned char* bytes, std::size_t count);
 
 }  // namespace database

@@ -20,7 +20,7 @@ const unsigned char* bytesOf(std::string_view words)
     return reinterpret_cast<const unsigned char*>(words.data());
 }
 
-/// Reads bytes as this program writes them, in lower-case hex digits. Any other form is refused.
+/// Reads bytes from lower-case hex digits, the form that this program writes. Returns false for any other text.
 template <std::size_t N>
 bool takeHex(const std::string& hex, std::array<unsigned char, N>& bytes)
 {
@@ -41,7 +41,7 @@ core::Result<StationKey> StationKey::readOrMake(const QString& path)
     using core::ErrorCode;
     if (!beginSodium())
         return tl::unexpected(refused(ErrorCode::FileUnreadable, path, "this computer has no source of chance"));
-    // What a link leads to is not its to close to others, and a pipe lets wait for ever.
+    // Changing permissions would affect the target of a link, and reading a pipe could block forever.
     const QFileInfo info(path);
     if (info.isSymLink() || (info.exists() && !info.isFile()))
         return tl::unexpected(refused(ErrorCode::FileUnreadable, path,
@@ -52,7 +52,7 @@ core::Result<StationKey> StationKey::readOrMake(const QString& path)
         randombytes_buf(seed.data(), seed.size());
         QDir().mkpath(QFileInfo(path).absolutePath());
         QSaveFile made(path);
-        // Nobody else may read it, from its first byte on.
+        // QSaveFile creates the file for its owner only, so nobody else can read it at any time.
         if (!made.open(QIODevice::WriteOnly) || !made.setPermissions(QFile::ReadOwner | QFile::WriteOwner) ||
             made.write(reinterpret_cast<const char*>(seed.data()), kSeedBytes) != kSeedBytes || !made.flush() ||
             !made.commit())
@@ -62,7 +62,7 @@ core::Result<StationKey> StationKey::readOrMake(const QString& path)
     }
     if (!file.open(QIODevice::ReadOnly))
         return tl::unexpected(refused(ErrorCode::FileUnreadable, path, "it cannot be read; check who may read it"));
-    // A copy or a careless hand may have opened it to others.
+    // A copy of the file, or a user, may have given others access.
     constexpr QFile::Permissions kOthers =
         QFile::ReadGroup | QFile::WriteGroup | QFile::ExeGroup | QFile::ReadOther | QFile::WriteOther | QFile::ExeOther;
     if ((file.permissions() & kOthers) && !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner))

@@ -11,14 +11,14 @@
 
 namespace database {
 
-/// The Ed25519 key with which a station signs the head of the audit. It is in a file that only its owner may read.
-/// Everybody who can read it can sign: on a computer that students share it protects against changes of the database
-/// alone, not against a person who uses the account.
+/// The Ed25519 key with which a station signs the head of the audit. It is stored in a file that only its owner may
+/// read. Any person who can read the file can sign. So, on a computer that students share, the key detects changes made
+/// in the database alone, but not those of a person who uses the same account.
 class StationKey
 {
 public:
-    /// Reads the key, or creates one if there is no file. Error: a file of another length, a link, or no regular file.
-    /// If others may read the file, removes that permission.
+    /// Reads the key, or creates one if the file does not exist. Error if the file has another length, is a link or is
+    /// no regular file. Removes the permissions of others if they may access the file.
     [[nodiscard]] static core::Result<StationKey> readOrMake(const QString& file);
     /// Returns a key that is not stored; for tests.
     [[nodiscard]] static StationKey make();

@@ -14,7 +14,7 @@ namespace database {
 core::Result<std::string> normalUsername(const std::string& typed)
 {
     constexpr qsizetype kLongest = 64;
-    // A Japanese keyboard may write Latin letters in their full width.
+    // A Japanese keyboard may type full-width Latin letters.
     const QString name = QString::fromStdString(typed).normalized(QString::NormalizationForm_KC).trimmed().toLower();
     const auto isFit = [](QChar c) {
         return (c >= u'a' && c <= u'z') || (c >= u'0' && c <= u'9') || QStringView(u"._-@").contains(c);

@@ -53,7 +53,7 @@ DeviceSample DeviceSwitch::withPedal(DeviceSample sample) noexcept
         return sample;
     const std::uint8_t percent = pedal->percent();
     sample.pedal = percent > 0;
-    // A stopped bur keeps its set speed: the recording gets one event, not two.
+    // A stopped bur retains its speed, so that the recording gets one event instead of two.
     if (percent > 0)
         m_speedPercent = percent;
     sample.speedPercent = m_speedPercent;

@@ -11,21 +11,21 @@ namespace haptics {
 
 /// Forwards the calls of the servo to one of several devices, which the ui thread selects.
 ///
-/// After a change there is no reading for kPause, and the device before gets a force of zero. So the servo treats the
+/// After a change there is no reading for kPause, and the previous device gets a force of zero. So the servo treats the
 /// position of the next device as a new start, and the force does not jump.
 ///
 /// A foot pedal replaces the device's own pedal, and sets the speed of the bur.
 class DeviceSwitch final : public HapticDevice
 {
 public:
-    /// Longer than the servo bridges missing readings (ServoTick::step()).
+    /// Longer than the time for which the servo bridges missing readings (ServoTick::step()).
     static constexpr std::chrono::milliseconds kPause{20};
 
     /// @param first   the device that is selected at the start
     /// @param period  shortest time between two calls of exchange()
     DeviceSwitch(HapticDevice& first, std::chrono::microseconds period) noexcept;
 
-    /// Selects a device. It must outlive this, or no call may come after another device was selected. Any thread.
+    /// Selects a device. It must outlive this object, or be replaced before the last call. Any thread.
     void select(HapticDevice& device) noexcept { m_selected.store(&device, std::memory_order_release); }
     /// Returns the device of the last select().
     [[nodiscard]] HapticDevice& selected() const noexcept { return *m_selected.load(std::memory_order_acquire); }
@@ -50,7 +50,7 @@ private:
     HapticDevice* m_current;  ///< servo thread: the device that moves the bur
     int m_ticksOfPause;
     int m_ticksLeft = 0;                ///< of the pause
-    std::uint8_t m_speedPercent = 100;  ///< that the pedal requested last
+    std::uint8_t m_speedPercent = 100;  ///< speed that the pedal requested last
 };
 
 }  // namespace haptics

@@ -6,8 +6,8 @@
 
 namespace haptics {
 
-/// A real force device: found, started and monitored on a thread of its own. Each kind of device is one class and one
-/// row in app/devices/DeviceController.
+/// Base class of real force devices. A device is found, started and monitored in its own thread. Each kind of device is
+/// one class and one row in app/devices/DeviceController.
 ///
 /// The functions here are for the ui thread and return at once.
 class ForceDevice : public HapticDevice
@@ -18,7 +18,7 @@ public:
     /// Sets the force to zero, closes the device and waits until it is closed.
     virtual void stop() = 0;
     [[nodiscard]] virtual core::session::DeviceReport report() const = 0;
-    /// Returns whether exchange() gives positions. Any thread.
+    /// Returns whether exchange() returns positions. Any thread.
     [[nodiscard]] virtual bool isReady() const noexcept = 0;
     virtual void setUp(const core::session::DeviceSetup& setup) = 0;
     /// Sets the path of the firmware that the device needs; empty: none. A device without firmware ignores it.

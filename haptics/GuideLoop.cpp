@@ -15,13 +15,13 @@ constexpr float kFarthestMm = 1000.0F;
 
 bool isPlausible(const glm::vec3& tip)
 {
-    // False for NaN as well.
+    // The comparison is also false for NaN.
     return std::abs(tip.x) <= kFarthestMm && std::abs(tip.y) <= kFarthestMm && std::abs(tip.z) <= kFarthestMm;
 }
 
 }  // namespace
 
-/// Returns the aim between the last two, evenly in time.
+/// Returns the position between the last two targets, interpolated over time.
 glm::dvec3 GuideLoop::aimNow(double seconds) noexcept
 {
     const auto at = [this] { return glm::mix(m_from, m_aim.tipMm, m_share); };
@@ -36,7 +36,7 @@ glm::dvec3 GuideLoop::aimNow(double seconds) noexcept
 
 void GuideLoop::tick(std::chrono::microseconds dt) noexcept
 {
-    // After a pause the anchor does not jump by all the missed time.
+    // Limits the step, so that the anchor does not jump after a pause of the thread.
     const double seconds = std::min(0.004, static_cast<double>(dt.count()) * 1.0e-6);
     const glm::dvec3 aim = aimNow(seconds);
     const DeviceSample sample = m_device.exchange(m_forceN);

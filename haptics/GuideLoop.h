@@ -15,18 +15,18 @@ namespace haptics {
 struct GuideAim
 {
     static constexpr std::chrono::milliseconds kBeat{10};
-    std::uint64_t number = 0;  ///< a new one for each target; 0: no target yet
+    std::uint64_t number = 0;  ///< different for each target; 0: no target yet
     glm::dvec3 tipMm{0.0};     ///< tooth frame
 };
 
 /// The state of the guidance.
 struct GuideState
 {
-    std::uint64_t ticks = 0;  ///< so far; 0: the loop has not run yet
-    bool present = false;     ///< the device gave a reading
+    std::uint64_t ticks = 0;  ///< number of ticks so far; 0: the loop has not run yet
+    bool present = false;     ///< the device returned a reading
     bool leading = false;
     bool wasPushed = false;  ///< the hand ended the last guidance by pushing
-    glm::dvec3 tipMm{0.0};   ///< place of the hand, tooth frame
+    glm::dvec3 tipMm{0.0};   ///< position of the hand, tooth frame
     glm::dvec3 forceN{0.0};  ///< on the hand
 };
 
@@ -59,10 +59,10 @@ private:
     GuideLinks& m_links;
     core::contact::PathGuide m_guide;
     GuideAim m_aim;
-    glm::dvec3 m_from{0.0};  ///< the aim when this one arrived
+    glm::dvec3 m_from{0.0};  ///< position between the targets when the present target arrived
     double m_share = 1.0;    ///< share of the way from m_from to m_aim
     glm::dvec3 m_lastMm{0.0};
-    double m_unreadS = 1.0;  ///< before the first reading, none can be trusted
+    double m_unreadS = 1.0;  ///< time since the last reading; initially long, so that no reading is assumed
     glm::dvec3 m_forceN{0.0};
     bool m_wasWanted = false;
     std::uint64_t m_ticks = 0;

@@ -35,8 +35,8 @@ public:
     /// Applies the force of the last tick to the hand and returns its new position. Never allocates, locks or waits.
     /// @param forceOnHandN  tooth frame, newtons
     virtual DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept = 0;
-    /// Applies the force that answers the position of this tick, at its end. For a device with a thread of its own for
-    /// the hardware, which need not wait for the next tick. Never allocates, locks or waits.
+    /// Applies the force that answers the position of this tick, at its end. For devices with their own thread for the
+    /// hardware, which do not have to wait for the next tick. Never allocates, locks or waits.
     virtual void give(const glm::dvec3& /*forceOnHandN*/) noexcept {}
     /// Waits between two ticks: until `due` or, for a device that sets the pace, until it has a new position.
     /// @returns whether there is a new position
@@ -45,8 +45,8 @@ public:
         std::this_thread::sleep_until(due);
         return false;
     }
-    /// Starts again, before the first exchange() after another device moved the bur (DeviceSwitch). A pressed button
-    /// counts as released.
+    /// Starts anew. Called before the first exchange() after another device moved the bur (DeviceSwitch). A button that
+    /// is already pressed counts as released.
     virtual void takeOver() noexcept {}
 };
 

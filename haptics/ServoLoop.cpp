@@ -17,16 +17,16 @@ namespace {
 
 using namespace core::servo;
 
-/// Ticks between two groups of patches: the view has a new surface 125 times a second.
+/// Number of ticks between two groups of patches: the view gets a new surface 125 times a second.
 constexpr int kTicksPerGroup = 8;
 constexpr int kMaxTiles = (core::terrain::kMaxGridSide / kTileSide) * (core::terrain::kMaxGridSide / kTileSide);
 static_assert(kMaxTiles <= kServoPatches, "a group goes whole or not at all");
 constexpr std::size_t kMostEventsPerCommand = 7;
 
-/// Delay up to which the shipped stiffness is stable with every hand. The limit falls as one over the delay, so twice
-/// the delay allows half the stiffness (docs/facts/haptics.md, section 2.2).
+/// Largest delay at which the shipped stiffness is stable in every hand. The permitted stiffness is proportional to one
+/// over the delay: twice the delay allows half of it (docs/facts/haptics.md, section 2.2).
 constexpr float kHeldDelayS = 0.002F;
-/// A device later than this is lost. Its delay does not count for the spring after it is back.
+/// A device with a longer delay counts as lost. When it is back, that delay does not soften the spring.
 constexpr float kLongestDelayS = 0.02F;
 constexpr double kForgottenS = 1.0;  ///< time over which a delay is forgotten
 constexpr std::uint64_t kSpringStepPercent = 5;
@@ -66,14 +66,14 @@ ServoLoop::~ServoLoop()
 
 void ServoLoop::record(const ServoEvent& event) noexcept
 {
-    // After a missing tick a recording could not be replayed. It ends there, until a new tooth.
+    // After a missing event, a recording could not be replayed. It ends here; the next tooth begins a new one.
     if ((m_health & kRecordGap) != 0 || !m_links.events.tryPush(event))
         m_health |= kRecordGap;
 }
 
 void ServoLoop::apply(const SwapTooth& swap) noexcept
 {
-    // tick() has checked that the queue has room
+    // tick() has checked that the queue has room for the old tooth
     if (core::contact::LiveTooth* old = m_tick->swapTooth(swap.tooth, swap.anew, swap.tick))
         static_cast<void>(m_links.retired.tryPush(old));
     if (swap.servo != nullptr) {
@@ -167,7 +167,7 @@ void ServoLoop::apply(const SetParameter& number) noexcept
 
 void ServoLoop::apply(const SetFixture& fixture) noexcept
 {
-    // tick() has checked that the queue has room
+    // tick() has checked that the queue has room for the old fixture
     if (m_fixture)
         static_cast<void>(m_links.retiredFixtures.tryPush(m_fixture.release()));
     m_fixture.reset(fixture.fixture);
@@ -185,7 +185,7 @@ void ServoLoop::guide(double seconds) noexcept
         return;
     }
     m_fixtureShare = std::min(1.0, m_fixtureShare + seconds / kFixtureComesS);
-    // It is a spring like that of contact, and a late loop allows it no more stiffness.
+    // The fixture is a spring like that of contact, so a long delay limits its stiffness in the same way.
     const double share = m_fixtureShare * 0.01 * static_cast<double>(m_springPercent);
     m_guideN = share * m_fixture->forceN(state.deviceMm, state.burIndex);
 }
@@ -196,9 +196,9 @@ void ServoLoop::apply(const BringHome&) noexcept
     record({ServoEvent::Kind::Home, 0, glm::vec3(0.0F), 0});
 }
 
-/// Softens the spring within ticks when the device answers late, and stiffens it gradually when it answers in time
-/// again. One late answer among good ones does not count: the last few must all be late. A tick without a measurement
-/// has no effect.
+/// Softens the spring within ticks if the device answers late, and stiffens it gradually when the device is in time
+/// again. A single late answer has no effect: all of the last few must be late. A tick without a measured delay has no
+/// effect.
 void ServoLoop::watchDelay(float delayS, double seconds) noexcept
 {
     if (!(delayS > 0.0F))
@@ -212,7 +212,7 @@ void ServoLoop::watchDelay(float delayS, double seconds) noexcept
     setSpring(std::max<std::uint64_t>(1, steps) * kSpringStepPercent);
 }
 
-/// Forgets the delay of a lost device. The next device may be another one.
+/// Forgets the delays of a lost device, because the next device may be another one.
 void ServoLoop::forgetDelay() noexcept
 {
     m_lateS = {};
@@ -231,14 +231,14 @@ void ServoLoop::setSpring(std::uint64_t percent) noexcept
 
 void ServoLoop::carryOutCommands() noexcept
 {
-    // A command is taken only if the queues have room for every tooth that it could send back and for its events.
+    // Takes a command only if the queues have room for every object that it may send back and for its events.
     for (ServoCommand command; m_links.retired.space() > 0 && m_links.retiredServos.space() > 0 &&
                                m_links.retiredFixtures.space() > 0 && m_links.events.space() >= kMostEventsPerCommand &&
                                m_links.commands.tryPop(command);)
         std::visit([this](const auto& known) { apply(known); }, command);
 }
 
-/// Returns whether the loop rests. When a rest begins, the hand is let go and the handpiece becomes silent.
+/// Returns whether the loop rests. At the start of a rest, it sets the force to zero and silences the handpiece.
 bool ServoLoop::rest() noexcept
 {
     const bool rests = m_restWanted.load(std::memory_order_acquire);
@@ -276,8 +276,8 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
         if (cut)
             markDirty(m_tick->changed());
         guide(static_cast<double>(step.count()) * 1.0e-6);
-        // With a pedal, a stroke lasts until the pedal is released, whatever pauses the hand makes. One press is one
-        // step of undo.
+        // With a pedal, a stroke lasts until the pedal is released, even if the hand pauses. So one press is one step
+        // of undo.
         const bool isHeld = m_stroke.isInStroke() && sample.pedal.value_or(false) && m_tick->state().drillOn;
         m_strokeEnded = m_stroke.endsWith(cut || isHeld) || m_strokeEnded;
         if (++m_ticksSinceSent >= kTicksPerGroup || m_strokeEnded)
@@ -317,7 +317,8 @@ void ServoLoop::markDirty(const core::cutting::CutRect& rect) noexcept
 
 void ServoLoop::sendPatches() noexcept
 {
-    // The end of a stroke is reported even if all its tiles are sent: the first tile is sent again with it.
+    // The last group of a stroke must be sent even if all its tiles are sent already: the first tile is then sent
+    // again.
     if (m_dirty.empty() && m_strokeEnded) {
         m_isDirty[0] = 1;
         m_dirty.push_back(0);

@@ -22,7 +22,7 @@ namespace haptics {
 class ServoLoop final : public core::rt::Loop
 {
 public:
-    /// Longest step that is computed, or the period if that is longer: after a pause of the thread the bur does not cut
+    /// Longest step that is computed, unless the period is longer. After a pause of the thread, the bur does not cut
     /// for the missed time.
     static constexpr std::chrono::microseconds kLongestStep{4000};
 
@@ -36,11 +36,11 @@ public:
     /// @param sound  must outlive the loop
     void publishSound(core::rt::TripleBuffer<core::audio::SoundState>& sound) noexcept { m_soundOut = &sound; }
 
-    /// Lets the loop rest, or go on: while it rests, it carries out commands, but neither reads the device nor moves
-    /// the bur, and publishes nothing. Any thread.
+    /// Lets the loop rest, or continues it. While it rests, it executes commands, but does not read the device, move
+    /// the bur or publish. Any thread.
     void setResting(bool rests) noexcept { m_restWanted.store(rests, std::memory_order_release); }
-    /// Whether the loop rests: the device and the channels it writes have no other user. Follows setResting() with the
-    /// next tick. Any thread.
+    /// Returns whether the loop rests, so that others may use the device and the channels it writes. Follows
+    /// setResting() in the next tick. Any thread.
     [[nodiscard]] bool isResting() const noexcept { return m_rests.load(std::memory_order_acquire); }
 
     void tick(std::chrono::microseconds dt) noexcept override;
@@ -87,20 +87,20 @@ private:
     std::uint32_t m_health = 0;
     std::array<float, 4> m_lateS{};  ///< the last delays that the device reported
     std::size_t m_nextLate = 0;
-    float m_delayS = 0.0F;  ///< longest recent delay
+    float m_delayS = 0.0F;  ///< longest of the recent delays
     std::uint64_t m_springPercent = 100;
     std::uint64_t m_speedPercent = 100;
     bool m_drillIsOn = false;  ///< switched on by SetDrill
     bool m_pedalIsUp = false;
     std::unique_ptr<const core::guidance::Fixture> m_fixture;  ///< null: the hand is free
-    double m_fixtureShare = 0.0;                               ///< share of its force, which rises gradually
-    glm::dvec3 m_guideN{0.0};                                  ///< of the last tick
+    double m_fixtureShare = 0.0;                               ///< share of its force; rises gradually to 1
+    glm::dvec3 m_guideN{0.0};                                  ///< force of the guidance in the last tick
 
     std::atomic<bool> m_restWanted{false};
     std::atomic<bool> m_rests{false};
 
-    std::vector<std::uint8_t> m_isDirty;  ///< one a tile
-    std::vector<std::uint16_t> m_dirty;   ///< tiles to send, at most one entry a tile
+    std::vector<std::uint8_t> m_isDirty;  ///< one entry per tile
+    std::vector<std::uint16_t> m_dirty;   ///< tiles to send, at most one entry per tile
     int m_tilesPerSide = 0;
     int m_ticksSinceSent = 0;
     core::servo::StrokeDetector m_stroke;

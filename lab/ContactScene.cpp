@@ -271,7 +271,7 @@ ContactFamily grooves(double degrees, bool creaseOnNodes, const ContactCondition
         surface.clearance = [slope, stand](double u) { return slope * std::abs(u) + stand; };
         const glm::dvec2 along(-surface.across.y, surface.across.x);
         for (const double speed : {20.0, 100.0}) {
-            // A hand that weaves a little sideways while it slides along.
+            // The hand weaves slightly sideways while it slides along.
             const auto place = [&](double travel) {
                 return along * (travel - 1.5) + surface.across * (0.1 * std::sin(4.0 * travel));
             };
@@ -303,7 +303,7 @@ ContactFamily walls(const ContactConditions& conditions)
         surface.height = [](double u) { return u > 0.0 ? kWallMm : 0.0; };
         surface.clearance = overStep(kWallMm, shape);
         const glm::dvec2 along(-surface.across.y, surface.across.x);
-        // Onto the floor 0.5 mm before the wall, then 0.4 mm too far into it, then along it.
+        // The hand moves onto the floor 0.5 mm before the wall, then 0.4 mm into the wall, then along it.
         const double before = shape.headRadiusMm + 0.5;
         const auto place = [&](double travel) {
             return along * (std::max(0.0, travel - 1.5) - 0.7) + surface.across * (std::min(travel, 0.9) - before);
@@ -331,7 +331,7 @@ ContactFamily corners(const ContactConditions& conditions)
                         conditions.side, lie.shift);
         scene.counted = ticksIn(0.1, conditions);
         for (std::size_t tick = 0; tick < ticksIn(1.5, conditions); ++tick) {
-            // Down onto the floor, then into the corner and a little to and fro in it.
+            // The hand moves down onto the floor, then into the corner, and slightly to and fro in it.
             const double t = static_cast<double>(tick) / conditions.rateHz;
             const double depth = 0.3 * std::min(1.0, t / 0.08 - 0.1);
             const double far = std::clamp((t - 0.1) * 2.0, 0.0, 0.9);

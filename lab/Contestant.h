@@ -22,7 +22,7 @@ public:
     Contestant& operator=(const Contestant&) = delete;
     virtual ~Contestant() = default;
 
-    /// Runs one period: reads the device and gives it a force.
+    /// Runs one period: reads the device and sends it a force.
     virtual void tick() noexcept = 0;
     /// Replaces the tooth during the trial, as undo does; from the next tick on.
     virtual void swapTooth(std::unique_ptr<core::contact::LiveTooth> tooth) = 0;

@@ -117,7 +117,7 @@ double removedMm3(const PaceTrial& trial)
     const Scene scene = sceneOf(trial);
     Servo servo(scene.anatomy, trial.settings, trial.bur, trial.rateHz);
     servo.step(scene.startMm);
-    // The length of the spring holds the force. Only the part aside of the line counts.
+    // The length of the spring sets the force. Only the deviation from the line counts.
     const double stretch = trial.newtons / trial.settings.force.stiffnessNPerMm;
     const auto ticks = std::llround(trial.seconds * trial.rateHz);
     for (long long tick = 0; tick < ticks; ++tick) {

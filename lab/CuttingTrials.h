@@ -31,7 +31,7 @@ struct PaceTrial
 /// not.
 [[nodiscard]] double secondsTo(double depthMm, const PaceTrial& trial);
 
-/// What moves the handpiece while the force is measured.
+/// The mover of the handpiece while the force is measured.
 enum class Feeder {
     Speed,  ///< a slide, at the speed that `newtons` cut by the preset's law
     Force,  ///< a hand that presses with `newtons` and keeps the line with a spring: it and the device are one mass

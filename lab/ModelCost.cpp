@@ -27,7 +27,7 @@ std::vector<glm::dvec3> slot(std::size_t which)
 {
     const double angle = 2.0 * std::numbers::pi * (static_cast<double>(which) / kSlots + kTurnedDeg / 360.0);
     const glm::dvec3 outwards(std::cos(angle), std::sin(angle), 0.0);
-    // No two have the same place on the lattice; otherwise all would have the same error.
+    // Each slot has another position on the lattice; otherwise all would have the same error.
     const glm::dvec3 shift = kShiftMm * static_cast<double>(which) * glm::dvec3(1.0, 0.38, 0.71);
     std::vector<glm::dvec3> places;
     for (double z = kFromMm; z > kFloorMm; z -= kStepMm)

@@ -62,7 +62,7 @@ class GivenPath final : public haptics::HapticDevice
 public:
     haptics::DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override
     {
-        // The force is the answer to the last place of the hand, and is held while the hand moves on.
+        // The force answers the last position of the hand, and is constant while the hand moves on.
         trapeziumMj += 0.5 * glm::dot(m_forceN + forceOnHandN, m_at - m_before);
         const glm::dvec3 at{glm::vec3(next)};  // the servo uses floats
         heldMj += glm::dot(forceOnHandN, at - m_at);
@@ -122,7 +122,7 @@ double worstLeakUj(const StabilityScene& scene, const StabilityTrial& trial, dou
         device.next = at(0.0);
         const auto servo = contestantFor(scene, trial, device);
         const int round = static_cast<int>(std::lround(1.0 / (circle.hz * kTickS)));
-        // A bur that began inside feels its force gradually: not counted until that is over.
+        // If a bur began inside the tooth, its force builds up gradually: that time is not counted.
         const int first =
             static_cast<int>(std::lround(kDownS / kTickS)) +
             round * (1 + static_cast<int>(std::ceil(circle.hz * 2.0 * core::contact::ForceLaw::kReturnS)));
@@ -289,15 +289,15 @@ double deepestMm(const core::terrain::Tooth& tooth)
     return deepest;
 }
 
-/// Returns the wished amplitude of a hand whose grip swings by sin(w t). Spring and damper of the hand have to move
-/// mass and friction of the device: k e + b e' = F.
+/// Returns the intended amplitude of a hand whose grip moves by sin(w t). Spring and damper of the hand must move mass
+/// and friction of the device: k e + b e' = F.
 double strokeWishMm(const StabilityScene& scene, const haptics::FalconFigures& falcon, const haptics::HandFigures& hand,
                     double t)
 {
     const double w = 2.0 * std::numbers::pi * scene.strokeHz;
     const double perMm = 0.001 * scene.strokeMm;
     const double inPhaseN = -(falcon.massKg + hand.massKg) * w * w * perMm;
-    // The part of the square wave of dry friction at this frequency.
+    // The component of dry friction, a square wave, at this frequency.
     const double aheadN = falcon.viscousNSPerM * w * perMm + falcon.coulombN * 4.0 / std::numbers::pi;
     const double k = hand.stiffnessNPerM;
     const double bw = hand.dampingNSPerM * w;
@@ -334,7 +334,7 @@ StabilityResult run(const StabilityScene& scene, const StabilityTrial& trial)
     const auto servo = contestantFor(scene, trial, device);
 
     const auto ticks = static_cast<int>(std::lround(scene.seconds / kTickS));
-    glm::dvec3 grabbed(0.0);  // from the wished place of the hand to where it was grabbed
+    glm::dvec3 grabbed(0.0);  // from the intended position of the hand to where it was grabbed
     Watch watch(scene, static_cast<std::size_t>(ticks));
     for (int tick = 0; tick < ticks; ++tick) {
         const double t = tick * kTickS;

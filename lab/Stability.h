@@ -26,7 +26,7 @@ inline constexpr double kSwingMm = 0.15;
 inline constexpr double kLostMm = 2.0;
 inline constexpr double kLagMm = 0.1;
 inline constexpr double kLeakUj = 1.0;
-/// For a bare spring by the trapezium rule, whose own error over the steps of a lattice is 0.7 uJ.
+/// Limit for a bare spring by the trapezium rule, whose own error over the steps of a lattice is 0.7 uJ.
 inline constexpr double kSpringLeakUj = 2.0;
 
 /// Limits of a scene besides stability (docs/facts/haptics.md, section 4): the largest allowed values of

@@ -47,21 +47,20 @@ Height step(double mm)
     return [mm](glm::dvec2 at) { return at.x > 0.0 ? mm : 0.0; };
 }
 
-/// Rises evenly from 0 to 1 between the seconds `from` and `to`.
+/// Returns a value that rises evenly from 0 to 1 between the seconds `from` and `to`.
 double rise(double seconds, double from, double to)
 {
     return std::clamp((seconds - from) / (to - from), 0.0, 1.0);
 }
 
-/// Comes down on the tooth and leans on it with some newtons, by `byS`.
+/// Returns the height of a hand that comes down on the tooth and presses on it with some newtons from `byS` on.
 double leaning(double seconds, double byS, double mmPerN, double newtons)
 {
     return 0.5 - rise(seconds, 0.0, byS) * (0.5 + newtons * mmPerN);
 }
 
-/// Returns the extra wish of a hand against friction on a way that lasts from `from` to `to`, mm. Without it a light
-/// hand would not move.
-/// move else.
+/// Returns the additional distance that a hand aims ahead, mm, to overcome friction on a path from `from` to `to`.
+/// Otherwise a light hand would not move.
 double urge(double seconds, double from, double to, double mmPerN, double newtons)
 {
     return newtons * mmPerN * (rise(seconds, from, from + 0.05) - rise(seconds, to, to + 0.05));
@@ -142,7 +141,7 @@ private:
             slid.bars.rippleN = 0.02;
             slid.bars.errorMm = 0.04;
         }
-        // Up and down a plane of 27 degrees, pressed along the plane's normal.
+        // The hand moves up and down a plane of 27 degrees and presses along the plane's normal.
         StabilityScene& slope = add(0, "slope", m_slope, [](double t, double mmPerN) {
             const double x = -1.5 + 3.0 * rise(t, 0.4, 0.9) - 3.0 * rise(t, 0.9, 1.4);
             const double press = rise(t, 0.1, 0.3) * 1.2 * mmPerN;
@@ -191,7 +190,7 @@ private:
 
     void vanishingGround()
     {
-        // Pressed, then removed in a tick, as by an undo or a rule for columns that break.
+        // The hand presses on a column, which is removed in one tick, as by undo or by thin fins that break off.
         StabilityScene& column =
             add(8, "column", enamelBlock([](glm::dvec2 at) {
                     return at.x > 0.0 && at.x < kCellMm && at.y > 0.0 && at.y < kCellMm ? 1.0 : 0.0;
@@ -216,7 +215,7 @@ private:
 
     void device()
     {
-        // Brushed over while it swings: three strokes of 8 mm, at up to 130 mm/s.
+        // The hand brushes over the plate: three strokes of 8 mm, at up to 130 mm/s.
         for (const bool drilling : {false, true}) {
             StabilityScene& brush =
                 add(10, drilling ? "brush, drilling" : "brush", m_plate, [](double t, double mmPerN) {
@@ -269,7 +268,8 @@ private:
         tremor.trembling = true;
         tremor.steadyS = {{0.7, 1.5}};
 
-        // Released at the end of the reach and led home; or grabbed on the way, held, and pulled back.
+        // The hand is released at the end of the reach and led home; or it grabs the grip on the way, holds it, and
+        // pulls it back.
         for (const bool grabbed : {false, true}) {
             StabilityScene& scene = add(13, grabbed ? "centring, grabbed" : "centring", m_plate, [](double t, double) {
                 return glm::dvec3(39.5 + 10.0 * rise(t, 0.8, 1.1), 0.0, 5.0);

@@ -81,7 +81,7 @@ glm::dvec2 turned(double rad, double length)
     return length * glm::dvec2(std::cos(rad), std::sin(rad));
 }
 
-/// Draws a dark frame with patches, which a search for tags has to examine.
+/// Draws a dark frame with patches, which the search for tags must examine.
 void drawPatches(Canvas& canvas, core::Rng& rng, const glm::dvec2& at)
 {
     const double turn = rng.uniform(0.0, 3.2);
@@ -183,7 +183,7 @@ void smear(Canvas& canvas, const Box& box, const glm::dvec2& wayPx)
         }
 }
 
-/// What a ray meets: print, paper, or no part of the card.
+/// A card as met by a ray: print, paper, or nothing.
 class Card
 {
 public:
@@ -230,7 +230,7 @@ std::array<glm::dvec2, 4> squarePx(const core::tracking::Pose& pose, double half
     return seen;
 }
 
-/// Pixels that a card and its blur reach.
+/// Returns the box of the pixels that a card and its blur reach.
 Box boxOf(const PrintedTag& tag, double halfMm, const TagScene& scene)
 {
     const auto corners = squarePx(tag.pose, halfMm, scene.camera);

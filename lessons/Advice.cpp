@@ -66,7 +66,8 @@ Finding pitFinding(const Measured& measured, double value)
     return {worst->meanMm < 0.0 ? Rule::PitTooDeep : Rule::PitTooShallow, value, worst->depthMm};
 }
 
-/// Turns a floor that is too deep or too shallow into dentin cut or enamel left, if only enamel had to be cut.
+/// Converts the advice on a floor that is too deep or too shallow: if only enamel had to be cut, it is about dentin cut
+/// or enamel left.
 Finding toTheJunction(const Finding& finding, const Measured& measured)
 {
     constexpr auto kDentin = static_cast<std::size_t>(core::terrain::Material::Dentin);
@@ -77,7 +78,7 @@ Finding toTheJunction(const Finding& finding, const Measured& measured)
     return finding;
 }
 
-/// Advice that depends only on the measure; its amount is the measured value.
+/// Advice that depends only on the id of the measure. Its amount is the measured value.
 constexpr std::pair<std::string_view, Rule> kByMeasure[] = {{"soft_left_percent", Rule::SoftDecayLeft},
                                                             {"leathery_left_mm2", Rule::LeatheryLeft},
                                                             {"perforated_mm2", Rule::Perforated},
@@ -116,7 +117,7 @@ std::optional<Finding> findingOf(const Criterion& line, const Measured& measured
         return Finding{Rule::NearPulp, value};
     if (isOneOf(id, {"pulp_", "remaining_over_pulp"}))
         return fastOr(Rule::PulpOpenedFast, Rule::PulpOpened, 0.0);
-    // The lesson allows some decay to stay.
+    // In decay with zones, some decay may stay.
     const bool hasZones = measured.lesion && measured.lesion->zones;
     if (hasZones && id == "caries_at_junction_mm2")
         return Finding{Rule::LeftAtJunction, value};
@@ -141,7 +142,7 @@ std::optional<Finding> findingOf(const Criterion& line, const Measured& measured
     const auto [deep, shallow] = depthOf(measured);
     if (isOneOf(id, {"depth_too_deep", "overcut_below", "leeway_bottom", "container_bottom"}))
         return fastOr(Rule::TooDeepFast, Rule::TooDeep, deep);
-    // If most of the preparation is not cut yet, the depth of its floor and its outline say little.
+    // While most of the preparation is uncut, the depth of its floor and its outline mean little.
     const double left = leftPercent(measured);
     if (isOneOf(id, {"depth_", "outline_"}) && left > 50.0)
         return Finding{Rule::NotAllCut, left};

@@ -15,7 +15,7 @@ namespace lessons {
 struct Advice
 {
     enum class Rule : std::uint8_t {
-        TooLittleDone,  ///< a criterion cannot be judged yet; amount: measured value of its condition
+        TooLittleDone,  ///< the criterion cannot be judged yet; amount: measured value of its condition
         Perforated,
         PulpOpenedFast,  ///< amount: feed, mm/s
         PulpOpened,
@@ -35,7 +35,7 @@ struct Advice
         TooShallow,       ///< amount: mm
         FloorInEnamel,
         NotAllCut,         ///< amount: per cent of the preparation that is left
-        OutlineBeyond,     ///< amount: mm, 0 where no outline was measured
+        OutlineBeyond,     ///< amount: mm; 0 if no outline was measured
         OutlineShort,      ///< amount: mm
         RidgeThin,         ///< amount: mm
         RidgeThinned,      ///< amount: mm missing
@@ -65,17 +65,17 @@ struct Advice
     Rule rule = Rule::TooLittleDone;
     std::size_t criterion = 0;     ///< index in the sheet
     double amount = 0.0;           ///< as described by the rule
-    double askedMm = 0.0;          ///< for a pit: the requested depth
+    double askedMm = 0.0;          ///< for a pit: depth that the exercise asks for
     std::optional<Moment> moment;  ///< when most was lost; empty: no single moment caused it, or it is not known yet
     bool operator==(const Advice&) const = default;
 };
 
-/// Feed from which on the advice is to go slower. A pointer starts with 0.5 mm/s.
+/// Least feed at which the advice is to go slower. The feed of a pointer is 0.5 mm/s initially.
 inline constexpr double kFastFeedMmPerS = 0.8;
 
-/// Returns one piece of advice per rule, for the criteria that lost points. Of two criteria with the same advice it
-/// names the one with a weight, which describes the task. Critical errors come first, then the criterion that lost
-/// most. Pure; any thread.
+/// Returns one piece of advice per rule, for the criteria that lost points. If two criteria lead to the same advice, it
+/// names the one with a weight, which describes the task. Critical errors come first, then the criterion that lost most
+/// points. Pure; any thread.
 /// @param moments  the moments of each criterion of the sheet; empty while unknown
 [[nodiscard]] std::vector<Advice> adviceOn(const ScoreSheet& sheet, const core::grading::Measured& measured,
                                            const std::vector<std::vector<Moment>>& moments);

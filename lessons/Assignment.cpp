@@ -66,7 +66,7 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson, std::uint64_t 
     return built;
 }
 
-/// Returns whether a place is on a tooth, seen from above.
+/// Returns whether the tooth covers a position (x, y).
 bool standsAt(const core::terrain::ToothAnatomy& anatomy, glm::dvec2 placeMm)
 {
     const glm::dvec2 at = anatomy.grid.latticeOf(placeMm);
@@ -91,7 +91,7 @@ core::Result<core::grading::Preparation> capturedOf(const Captured& captured,
     return preparation;
 }
 
-/// Returns the captured ideal, or else the usual preparation of its kind for this tooth with the sizes of the lesson.
+/// Returns the captured ideal, or otherwise the preparation of its kind for this tooth with the sizes of the lesson.
 core::Result<core::grading::Preparation> idealOf(const Ideal& ideal, const core::terrain::ToothAnatomy& anatomy)
 {
     if (ideal.captured)
@@ -109,8 +109,8 @@ core::Result<core::grading::Preparation> idealOf(const Ideal& ideal, const core:
     return core::preparation::makePreparation(*kind, *design, anatomy);
 }
 
-/// Returns the depth of the flat occlusal floor of a Class I or II, below the groove, or of an occlusal reduction.
-/// Empty if the lesson asks for another task.
+/// Returns the depth of the flat occlusal floor of a Class I or II below the groove, or the depth of an occlusal
+/// reduction. Empty if the lesson has another task.
 std::optional<double> occlusalDepthMm(const Assignment& assignment)
 {
     if (!assignment.lesson || !assignment.lesson->ideal || assignment.lesson->ideal->captured)
@@ -128,7 +128,7 @@ std::optional<double> occlusalDepthMm(const Assignment& assignment)
     return isReduction ? usual->reductionMm : usual->depthMm;
 }
 
-/// Returns the exercise of a lesson without cutting. An error names the key.
+/// Returns the exercise of a lesson without cutting. The error names the key.
 core::Result<core::grading::Exercise> exerciseOf(const Lesson& lesson, const core::terrain::ToothAnatomy& anatomy)
 {
     if (lesson.task == Task::HoldForce)
@@ -146,7 +146,7 @@ core::Result<core::grading::Exercise> exerciseOf(const Lesson& lesson, const cor
     return *lesson.touch;
 }
 
-/// Returns the assignment of a lesson on an existing tooth.
+/// Builds the assignment of a lesson on an existing tooth.
 core::Result<Assignment> workOut(const Lesson& lesson, std::shared_ptr<const core::terrain::ToothAnatomy> anatomy)
 {
     Assignment assignment;
@@ -185,7 +185,7 @@ core::Result<Assignment> workOut(const Lesson& lesson, std::shared_ptr<const cor
 
 core::Result<core::teeth::BlockDesign> designOf(const Block& block)
 {
-    // A name like this is a block or an error, never empty.
+    // findBlock() returns a block or an error for such a name, but never no block.
     auto found = core::teeth::findBlock("block:" + block.shape).value();
     if (!found)
         return tl::unexpected(found.error());

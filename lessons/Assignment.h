@@ -26,9 +26,10 @@ struct Assignment
     std::optional<core::grading::Preparation> ideal;  ///< the surface to be cut; empty if decay is to be removed
     std::optional<core::grading::Leeway> leeway;
     std::shared_ptr<const core::terrain::HeightMaps> neighbours;  ///< must not be touched; null: not checked
-    std::optional<core::grading::Exercise> exercise;              ///< the exercise; then nothing is to be cut
+    std::optional<core::grading::Exercise> exercise;              ///< set for an exercise, in which nothing is cut
 
-    /// Returns the ideal surface for view and section; null if there is none, or if it would reveal what is to be felt.
+    /// Returns the ideal surface for view and section. Null if there is none, or if it would reveal the answer to the
+    /// task.
     [[nodiscard]] core::grading::IdealTop shownIdeal() const;
 };
 
@@ -42,8 +43,8 @@ struct Assigned
 /// Returns the design of a lesson's block. Error, one sentence, if a shape or size is unknown or they do not fit.
 [[nodiscard]] core::Result<core::teeth::BlockDesign> designOf(const Block& block);
 
-/// Returns the servo settings for an attempt at a lesson, or without one (null): the available handpieces, the hardness
-/// of the lesson or otherwise of the preset, and the preset's forces.
+/// Returns the servo settings for an attempt at a lesson, or without one (null). They combine the available handpieces,
+/// the hardness of the lesson (otherwise of the preset) and the preset's forces.
 /// @param usual   settings with the device's part of the force law
 /// @param preset  used by the school
 /// @param kind    of the tooth without a lesson
@@ -53,20 +54,20 @@ servoSettings(const Lesson* lesson, core::servo::ServoSettings usual,
               const core::settings::ToothKind& kind = {});
 
 /// Builds the tooth and the task of a lesson. Some tens of milliseconds; any thread but the ui thread.
-/// @param drawn  seed for a block whose lesson has none, another for each attempt. It is stored with the tooth in the
-///               recording, so that every replay has the same task
+/// @param drawn  seed for a block whose lesson has none; different for each attempt. The recording stores it with the
+///               tooth, so that every replay has the same task
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn = 0);
 
 /// Returns whether two assignments are of the same lesson, both as practice or both as an exam. False without a lesson.
 [[nodiscard]] bool isSameLesson(const Assignment& a, const Assignment& b);
 
-/// Returns the initial depth of the depth stop, mm below the original surface. For a Class I or II, the depth of the
-/// occlusal floor below the groove, where the bur enters; for an occlusal reduction, that of most of the surface;
-/// otherwise the median over the columns of the ideal floor, or 1.5 if no ideal is shown.
+/// Returns the initial depth of the depth stop, mm below the original surface. For a Class I or II it is the depth of
+/// the occlusal floor below the groove, where the bur enters. For an occlusal reduction it is the depth of most of the
+/// surface. Otherwise it is the median over the columns of the ideal floor, or 1.5 if no ideal is shown.
 [[nodiscard]] double depthToCutMm(const Assignment& assignment);
 
-/// Returns whether the outline of the ideal is shown from the start: in practice lessons with an ideal. In lessons on
-/// decay it would reveal the decay, and in exams it is not allowed.
+/// Returns whether the outline of the ideal is shown from the start. True in practice lessons with an ideal. In lessons
+/// on decay the outline would reveal the decay, and in exams it is not allowed.
 [[nodiscard]] bool beginsWithOutline(const Assignment& assignment);
 
 /// Returns the rubric for a tooth without a lesson: removal of decay.
@@ -80,8 +81,8 @@ servoSettings(const Lesson* lesson, core::servo::ServoSettings usual,
                                                     const std::string& lessonJson);
 
 /// Reads the expert's recording that the assignment's lesson names. The error names the file: it cannot be read, or is
-/// of another tooth than the current one (OtherTooth; for layers to be told apart, the order may differ). A lesson from
-/// a recording has the file's name without its folder, which is also an error. Any thread but the ui thread.
+/// of another tooth than the current one (OtherTooth; the order of a block's layers may differ). Fails for a lesson
+/// from a recording, which contains only the name of the file. Call it in any thread but the ui thread.
 [[nodiscard]] core::Result<core::recording::Recording> readExpert(const Assignment& assignment);
 
 /// A measured and graded attempt.
@@ -91,7 +92,7 @@ struct Mark
     ScoreSheet sheet;
 };
 
-/// The process of an attempt, as assessed.
+/// The measured process of an attempt.
 struct Conduct
 {
     core::grading::Process process;
@@ -106,8 +107,8 @@ struct Conduct
 /// Returns the examination for an assignment.
 [[nodiscard]] core::session::Examination examinationOf(const Assignment& assignment);
 
-/// Measures a tooth of the assignment's anatomy and grades it. A few milliseconds at 150 x 150. Any thread that owns
-/// the tooth.
+/// Measures a tooth of the assignment's anatomy and grades it. Takes a few milliseconds at 150 x 150. Call it in any
+/// thread that owns the tooth.
 /// @param conduct  empty if only the tooth is known: the process is then not measured
 [[nodiscard]] core::Result<Mark> mark(const Assignment& assignment, const core::terrain::Tooth& tooth,
                                       const std::optional<Conduct>& conduct = {});
@@ -120,8 +121,8 @@ struct Remarked
     Conduct conduct;
 };
 
-/// Replays a recording and grades it for its lesson, with the infractions and their times: bit-identical to the results
-/// of the attempt.
+/// Replays a recording and grades it for its lesson, with the rule violations and their times. The results are
+/// bit-identical to those of the attempt.
 /// @param afterEvent  as in core::recording::replay()
 [[nodiscard]] core::Result<Remarked>
 markAgain(const core::recording::Recording& recording,

@@ -7,8 +7,8 @@
 
 namespace lessons {
 
-/// The score of the same work on a coarser and a finer grid: how much the score depends on the grid. docs/scoring.md,
-/// "How exact a score is", says what this covers.
+/// The scores of the same attempt on a coarser and a finer grid, which show how much the score depends on the grid.
+/// docs/scoring.md, "How exact a score is", explains what this covers.
 struct GridSensitivity
 {
     struct Result

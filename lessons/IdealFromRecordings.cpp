@@ -38,7 +38,7 @@ core::Result<core::preparation::CapturedIdeal> captureFrom(std::span<const std::
 {
     std::vector<core::terrain::Tooth> teeth;
     std::vector<std::string> sources;
-    std::map<std::string, std::string> known;  // name by bytes
+    std::map<std::string, std::string> known;  // file name by content
     for (const std::filesystem::path& path : recordings) {
         if (mayGoOn && !mayGoOn())
             return core::unexpected(core::ErrorCode::BadStructure, "The capture was called off.");

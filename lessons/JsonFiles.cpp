@@ -19,7 +19,8 @@ const QString kFormatKey = QStringLiteral("format");
 const QString kTitle = QStringLiteral("title");
 constexpr const char* kTooLarge = QT_TRANSLATE_NOOP("Fault", "has %1; a lesson has at most %2");
 
-/// Merges one object into another (RFC 7386): a null removes a key, objects are merged, and any other value replaces.
+/// Merges one object into another (RFC 7386): null removes a key, objects are merged, any other value replaces the old
+/// one.
 QJsonObject merged(QJsonObject base, const QJsonObject& over)
 {
     for (auto entry = over.begin(); entry != over.end(); ++entry) {
@@ -33,7 +34,7 @@ QJsonObject merged(QJsonObject base, const QJsonObject& over)
     return base;
 }
 
-/// Returns the keys that occur twice in an object of a valid JSON text, in its spelling. Qt keeps one of the two
+/// Returns the keys that occur twice in an object of a valid JSON text, spelled as in the text. Qt drops one of them
 /// without an error.
 QStringList keysSaidTwice(const QByteArray& json)
 {
@@ -60,7 +61,7 @@ QStringList keysSaidTwice(const QByteArray& json)
     return twice;
 }
 
-/// Returns Qt's English text of an error, whatever the language of the program.
+/// Returns Qt's text for an error, always in English.
 const char* parseFault(QJsonParseError::ParseError error)
 {
     switch (error) {
@@ -89,14 +90,14 @@ const char* parseFault(QJsonParseError::ParseError error)
     case QJsonParseError::GarbageAtEnd:
         return QT_TRANSLATE_NOOP("Fault", "garbage at the end of the document");
     case QJsonParseError::NoError:
-    case QJsonParseError::IllegalUTF8String:  // reported with what to do
+    case QJsonParseError::IllegalUTF8String:  // parseObject() reports it with a remedy
     case QJsonParseError::IllegalValue:
         break;
     }
     return QT_TRANSLATE_NOOP("Fault", "illegal value");
 }
 
-/// Returns whether an object has such a key ("rubric.criteria[2].weight").
+/// Returns whether an object contains a key, given by its path ("rubric.criteria[2].weight").
 bool has(const QJsonObject& object, const QString& key)
 {
     QJsonValue value = object;
@@ -216,7 +217,7 @@ std::optional<Gathered> JsonFiles::gather(const QString& file, const QString& na
     else
         object = read(file, faults);
     for (ValidationIssue& fault : faults) {
-        // The author of the naming file has to fix the whole fault.
+        // A fault of the whole file has to be fixed by the author of the file that names it.
         if (fault.key.isEmpty() && !namedIn.isEmpty())
             fault = {namedIn, kBasedOn, {"%1: %2", {noted(QFileInfo(file).fileName()), fault.what}}, true};
         m_faults.push_back(std::move(fault));
@@ -243,7 +244,7 @@ std::optional<Gathered> JsonFiles::underlaid(const QJsonObject& object, const QS
     under->whole.remove(kFormatKey);  // each file has its own
     for (auto& [name, part] : under->parts)
         part.remove(kFormatKey);
-    // In a language without a title, the title of the base must not appear.
+    // Otherwise the title of the base would be shown in languages in which the new title is missing.
     if (object.value(kTitle).isObject())
         under->whole.remove(kTitle);
     under->whole = merged(under->whole, object);

@@ -20,7 +20,8 @@ inline constexpr int kLessonFormat = 1;
 /// The folder of the shipped files.
 inline constexpr const char* kShippedFolder = ":/lessons/";
 
-/// Returns whether a name refers to a file beside the naming file or in a folder below. Other names are not allowed.
+/// Returns whether a name refers to a file in the folder of the file that names it, or in a folder below. Other names
+/// are not allowed.
 [[nodiscard]] bool isNameBeside(const QString& name);
 
 /// Returns a size such as "1.5 MB" or "200 bytes".
@@ -29,12 +30,12 @@ inline constexpr const char* kShippedFolder = ":/lessons/";
 /// Returns the error for a format from a newer program.
 [[nodiscard]] core::LocalizableText newerFormat(double format);
 
-/// Parses a JSON object. Empty, with faults, if there is none or a key occurs twice.
+/// Parses a JSON object. Empty, with faults, if the text is no object or has a key twice.
 /// @param file  its name in the faults
 [[nodiscard]] std::optional<QJsonObject> parseObject(QByteArray json, const QString& file,
                                                      std::vector<ValidationIssue>& faults);
 
-/// An object merged with all that it is based on.
+/// An object merged with all objects that it is based on.
 struct Gathered
 {
     QJsonObject whole;
@@ -54,19 +55,19 @@ public:
 
     /// Reads and merges a file. Empty, with a fault, if any of the files cannot be read.
     [[nodiscard]] std::optional<Gathered> gather(const QString& file) { return gather(file, {}, {}); }
-    /// Merges an object as if it were in that file.
+    /// Merges an object as if it were the content of that file.
     [[nodiscard]] std::optional<Gathered> underlaid(const QJsonObject& object, const QString& file)
     {
         return underlaid(object, file, QStringList{file});
     }
-    /// Returns the path of a name in `file`: beside it, or a shipped file. Empty, with a fault, if the name is not
-    /// allowed.
+    /// Returns the path of a file that `file` names: beside it, or a shipped file. Empty, with a fault, if the name is
+    /// not allowed.
     [[nodiscard]] QString find(const QString& file, const QString& key, const QString& name);
 
     /// Returns all files read or found so far, without shipped ones.
     [[nodiscard]] const QStringList& uses() const { return m_uses; }
     void note(const QString& file);
-    /// Adds a grave fault.
+    /// Adds a grave fault, which makes the lesson unusable.
     void say(const QString& file, const QString& key, core::LocalizableText what)
     {
         m_faults.push_back({file, key, std::move(what), true});

@@ -14,10 +14,10 @@ namespace {
 constexpr qsizetype kLongestText = 4000;
 constexpr qsizetype kMostLanguages = 40;
 constexpr qsizetype kMostNames = 40;
-/// Most letters that may differ for a key to count as a misspelling of another.
+/// Largest number of letters in which a misspelled key may differ from a known one.
 constexpr int kSlip = 3;
 
-/// Returns a number with all its digits if it is whole, like a version.
+/// Returns a number for a message. Whole numbers, such as versions, have all their digits.
 core::LocalizableText written(double number)
 {
     constexpr double kWrittenOut = 1.0e15;
@@ -25,7 +25,7 @@ core::LocalizableText written(double number)
     return isWhole ? noted(QString::number(number, 'f', 0)) : noted(number);
 }
 
-/// Returns the number of letters to change, insert or remove to turn a into b (Levenshtein).
+/// Returns the edit distance of two words (Levenshtein).
 int lettersApart(const QString& a, const QString& b)
 {
     std::vector<int> row(static_cast<std::size_t>(b.size()) + 1);
@@ -42,8 +42,7 @@ int lettersApart(const QString& a, const QString& b)
     return row.back();
 }
 
-/// Returns the number of letters. Beyond the first plane of Unicode, for example in rare kanji, a letter has two code
-/// units.
+/// Returns the number of letters. Outside the first plane of Unicode, as in rare kanji, a letter has two code units.
 qsizetype lettersIn(const QString& text)
 {
     return text.toUcs4().size();

@@ -28,7 +28,8 @@ public:
     JsonKeys(QJsonObject object, QString file, QString path, std::vector<ValidationIssue>& faults);
 
     [[nodiscard]] bool has(const char* key);
-    /// Returns a number within [low, high]. Empty, with a fault for a wrong value. `unit` is for the sentence.
+    /// Returns a number within [low, high]. Empty if the key is missing, or, with a fault, if the value is wrong.
+    /// `unit` is part of the message.
     [[nodiscard]] std::optional<double> number(const char* key, double low, double high, const char* unit);
     [[nodiscard]] double number(const char* key, double low, double high, const char* unit, double otherwise);
     [[nodiscard]] qint64 whole(const char* key, qint64 low, qint64 high, qint64 otherwise);

@@ -68,7 +68,7 @@ struct Scan
 /// Decay that is added to the tooth.
 struct Lesion
 {
-    double extent = 0.5;                          ///< 0 none to 1 deepest; the tooth's seed decides its course
+    double extent = 0.5;                          ///< 0: none, 1: deepest; the tooth's seed decides its shape
     std::optional<core::teeth::LesionSite> site;  ///< empty: the usual site for the tooth's orientation
     bool operator==(const Lesion&) const = default;
 };
@@ -99,8 +99,8 @@ struct Expert
     bool operator==(const Expert&) const = default;
 };
 
-/// Zones around a shape: cuts within these distances beside and below the target cost only a share; beyond them is the
-/// container.
+/// The leeway around a shape. Cuts within these distances beside and below the target lose only a share of the points;
+/// beyond them is the container.
 struct LeewayZone
 {
     double sidesMm = 0.3;
@@ -108,7 +108,7 @@ struct LeewayZone
     bool operator==(const LeewayZone&) const = default;
 };
 
-/// Progress that the program can detect during an attempt. A step with it ends by itself.
+/// Progress that the program can detect during an attempt. A step with such a condition ends by itself.
 enum class Reached : std::uint8_t {
     DecayFound,    ///< the bur has removed some decay
     Junction,      ///< the bur has removed some dentin
@@ -162,7 +162,7 @@ struct Lesson
     std::vector<core::settings::Handpiece> handpieces;       ///< available; the first is used at the start; empty: all
     std::optional<core::settings::HardnessPreset> hardness;  ///< empty: as set by the school
     core::settings::ToothKind kind;                          ///< decides which rows of the school's preset apply
-    bool breakOff = false;  ///< slender remains of tissue break off (core::settings::BreakOff)
+    bool breakOff = false;  ///< slender parts of tissue break off (core::settings::BreakOff)
     Aids aids;
     std::vector<Step> steps;
     double minutes = 0.0;  ///< 0: no limit
@@ -186,14 +186,14 @@ enum class ShownTarget : std::uint8_t { Decay, Ideal, Nothing };
     // In an exam without aids, the amount of decay that is left would show when to stop.
     if (lesson != nullptr && ((lesson->exam && lesson->aids == Aids::none()) || isExercise(lesson->task)))
         return ShownTarget::Nothing;
-    // Decay in zones stays in part: what is left of all decay would not say when to stop.
+    // In decay with zones, some decay may stay, so the remaining amount would not show when to stop.
     const bool isOnAllDecay = lesson == nullptr || (lesson->task == Task::RemoveDecay &&
                                                     lesson->kind.decay != core::settings::DecayKind::Graded);
     return isOnAllDecay ? ShownTarget::Decay : ShownTarget::Ideal;
 }
 
-/// Returns whether a lesson uses a block whose layers do not matter; its material is called "block" on the screen. The
-/// layers of a block of pads and of a junction matter.
+/// Returns whether a lesson uses a block whose layers do not matter. Its material is then called "block" on the screen.
+/// The layers matter in a block of pads and in a block with a junction.
 [[nodiscard]] inline bool isOnPlainBlock(const Lesson& lesson)
 {
     const auto* block = std::get_if<Block>(&lesson.tooth);

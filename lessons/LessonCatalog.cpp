@@ -27,7 +27,7 @@ void addFolder(const QDir& folder, bool isShipped, std::vector<CatalogEntry>& en
         entries.push_back({readLesson(folder.filePath(name)), isShipped, {}});
 }
 
-/// Returns whether a lesson of a pack has been unpacked into the folder, perhaps with changes.
+/// Returns whether a lesson of a pack was extracted into the folder, perhaps with changes since.
 bool isUnpacked(const ReadLesson& packed, const QDir& folder, const std::vector<CatalogEntry>& entries)
 {
     const QString file = folder.filePath(QFileInfo(packed.file).fileName());
@@ -37,7 +37,7 @@ bool isUnpacked(const ReadLesson& packed, const QDir& folder, const std::vector<
     });
 }
 
-/// Adds the lessons of each pack, or its fault.
+/// Adds the lessons of each pack, or the error of the pack.
 void addPacks(const QDir& folder, std::vector<CatalogEntry>& entries)
 {
     QStringList names = folder.entryList({QStringLiteral("*.") + QLatin1String(kPackSuffix)}, QDir::Files, QDir::Name);
@@ -74,7 +74,7 @@ std::vector<CatalogEntry> readCatalog(const QString& folder)
         addPacks(QDir(folder), entries);
     }
     std::map<std::string, std::string> hashes;
-    // A lesson that is both unpacked and in its pack is listed once.
+    // A lesson that is in a pack and also extracted from it is listed once.
     std::erase_if(entries, [&](const CatalogEntry& entry) {
         if (!entry.read.lesson || entry.isShipped)
             return false;

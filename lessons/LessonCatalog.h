@@ -19,19 +19,19 @@ struct CatalogEntry
     [[nodiscard]] bool isFaulty() const { return !read.lesson; }
 };
 
-/// Returns all lessons: the shipped ones and those in a teacher's folder, each from its own file (*.lesson.json) or
-/// from a pack (*.cusplessons, LessonPack.h). A faulty file is an entry with its faults; the others work. An id may
-/// occur once: of two, the shipped one is used, otherwise the first by name. A lesson that was extracted from a pack
-/// replaces the one in the pack.
+/// Returns all lessons: the shipped ones and those in a teacher's folder. The latter are in separate files
+/// (*.lesson.json) or in packs (*.cusplessons, LessonPack.h). A faulty file becomes an entry with its faults and does
+/// not affect the others. An id may occur once: of two lessons the shipped one is used, otherwise the first by file
+/// name. A lesson that was extracted from a pack replaces the one in the pack.
 ///
 /// @param folder  the teacher's folder; may be missing or empty
-/// Shipped lessons come first, each group sorted by file name. Any thread.
+/// Shipped lessons come first; each group is sorted by file name. Any thread.
 [[nodiscard]] std::vector<CatalogEntry> readCatalog(const QString& folder);
 
-/// Returns the file of a lesson: the name itself if it ends in .json or is an existing file; otherwise it is an id in
-/// the teacher's folder or of a shipped lesson. UnknownName if there is none.
+/// Returns the file of a lesson. A name that ends in .json, or of an existing file, is the file itself; any other is an
+/// id in the teacher's folder or of a shipped lesson. UnknownName if there is none.
 [[nodiscard]] core::Result<QString> lessonFile(const QString& fileOrId);
-/// Reads a lesson by its file or id (lessonFile()). The error says what is wrong.
+/// Reads a lesson by its file or id (lessonFile()). The error lists its faults.
 [[nodiscard]] core::Result<Lesson> lessonNamed(const QString& fileOrId);
 
 /// Returns the default folder for a teacher's lessons: "lessons" in the user's data folder of Cusp.

@@ -73,10 +73,10 @@ std::string hashOf(const QString& path, JsonKeys& keys, const char* key)
 }
 
 constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin", "pulp"};
-/// Length of a preset's name with its version and hash.
+/// Longest label of a preset: its name with version and hash.
 constexpr qsizetype kLongestHardnessName = kLongestPresetName + 90;
 
-/// Makes a Lesson from the whole object.
+/// Builds a Lesson from the merged object.
 class LessonMaker
 {
 public:
@@ -196,7 +196,7 @@ private:
         return block;
     }
 
-    /// Takes the sizes that a lesson sets, each within its range.
+    /// Reads the sizes that a lesson sets, each within its range.
     template <class Design>
     static std::map<std::string, double> sizesOf(JsonKeys& owner, std::span<const core::NumberField<Design>> fields)
     {
@@ -251,7 +251,7 @@ private:
         return scan;
     }
 
-    /// Takes the path of a file that the lesson names, and its hash, which becomes part of the lesson's.
+    /// Reads the path of a file that the lesson names, and its hash, which becomes part of the lesson's hash.
     void takeFile(JsonKeys& keys, const char* key, const QString& parent, const QString& name, std::string& path,
                   std::string& hash)
     {
@@ -305,8 +305,8 @@ private:
         return asked;
     }
 
-    /// Takes a captured ideal. The file is copied into the text of the lesson, so that a recording can be graded again
-    /// anywhere.
+    /// Reads a captured ideal. Copies its file into the text of the lesson, so that a recording can be graded again on
+    /// any computer.
     Captured takeCaptured(JsonKeys& keys)
     {
         Captured captured;
@@ -383,8 +383,8 @@ private:
         }
     }
 
-    /// Takes a preset's file beside the lesson. Its values for this tooth are copied into the text of the lesson, so
-    /// that a recording has them anywhere.
+    /// Reads the file of a preset beside the lesson. Copies its values for this tooth into the text of the lesson, so
+    /// that a recording contains them.
     void takePreset(Lesson& lesson, const QString& name)
     {
         const QString path = m_files->find(m_file, QStringLiteral("hardness"), name);
@@ -408,7 +408,7 @@ private:
                          QJsonObject{{"rate_mm3_per_ns", lesson.hardness->material[m].rateMm3PerNs},
                                      {"threshold_n", lesson.hardness->material[m].thresholdN}});
         m_whole.insert(QStringLiteral("hardness"), whole);
-        m_whole.remove(QStringLiteral("caries"));  // it names the rows of the preset
+        m_whole.remove(QStringLiteral("caries"));  // this key selects the rows of the preset, which are copied now
         m_whole.remove(QStringLiteral("plastic"));
     }
 
@@ -419,7 +419,7 @@ private:
                                                  "\"caries\" and \"plastic\"")});
     }
 
-    /// Takes the hardness: the school's preset, with the rows that the lesson names; or "natural", or a named one with
+    /// Reads the hardness: the rows of the school's preset that the lesson selects, "natural", or a named one with
     /// other values for some materials.
     void takeHardness(Lesson& lesson)
     {
@@ -558,7 +558,7 @@ private:
         rules->nameTheRest();
     }
 
-    /// Checks what depends on several keys.
+    /// Checks conditions on several keys.
     void checkWhole(const Lesson& lesson)
     {
         const bool isBlock = std::holds_alternative<Block>(lesson.tooth);
@@ -587,7 +587,7 @@ private:
             m_keys.fault("aids", {QT_TRANSLATE_NOOP("Fault", "layers are told apart without any; leave the key out")});
     }
 
-    /// Checks that the ideal was captured on this tooth. For a scan, that is known only when it is read.
+    /// Checks that the ideal was captured on this tooth. For a scan, that is checked later, when the scan is read.
     void checkCaptured(const Lesson& lesson, const Captured& captured)
     {
         const auto* const made = std::get_if<MadeTooth>(&lesson.tooth);
@@ -603,7 +603,7 @@ private:
                            core::noted(ideal->tooth), noted(ideal->seed), noted(ideal->grid.side)}});
     }
 
-    /// Checks that this ideal can be made on this tooth.
+    /// Checks that an ideal of this kind can be made on this tooth.
     void checkKind(const Lesson& lesson)
     {
         if (lesson.ideal->captured)

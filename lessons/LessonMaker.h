@@ -15,9 +15,9 @@ namespace lessons {
 inline constexpr qint64 kLargestIdealBytes = qint64{700} * 1024;
 
 /// Builds the lesson of a merged object with its rubric. It is usable unless there are grave faults.
-/// @param file        its file: names are relative to it
+/// @param file        the lesson's file: names are relative to it
 /// @param rubricFile  the file of its rubric, for the faults: the same or another
-/// @param files       resolves names; null for a text without other files
+/// @param files       resolves names; null for a text that does not refer to other files
 [[nodiscard]] Lesson lessonFrom(const QJsonObject& whole, const QString& file, const QString& rubricFile,
                                 JsonFiles* files, std::vector<ValidationIssue>& faults);
 

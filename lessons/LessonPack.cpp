@@ -23,7 +23,7 @@
 namespace lessons {
 namespace {
 
-/// Base64 takes a third more, and names and hashes need space.
+/// Base64 makes files larger by a third, and names and hashes take space.
 constexpr qint64 kLargestJsonBytes = kLargestPackBytes / 3 * 4 + qint64{1024} * 1024;
 const QStringList kSuffixes{QStringLiteral("json"),    QStringLiteral("cuspideal"), QStringLiteral("stl"),
                             QStringLiteral("obj"),     QStringLiteral("ply"),       QStringLiteral("mtl"),
@@ -61,7 +61,7 @@ bool isNameInPack(const QString& name)
     });
 }
 
-/// Returns any name in a form that a sentence can show.
+/// Returns a name in a form that can be shown in a message.
 QString shown(const QString& name)
 {
     QString safe = name.left(80);
@@ -138,7 +138,7 @@ core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
             return refused(core::ErrorCode::BadStructure, "%1. Only a lesson that can be given is packed.",
                            {grave->sentence()});
         }
-        // A scan is checked when its tooth is made.
+        // The file of a scan is checked only when its tooth is built.
         if (std::holds_alternative<Scan>(read.lesson->tooth))
             if (const auto assigned = assign(*read.lesson); !assigned)
                 return tl::unexpected(assigned.error());
@@ -260,7 +260,7 @@ core::Status putInto(const QString& folder, const std::vector<PackedFile>& files
         const QString path = into.filePath(file->name);
         core::Status written = writeInto(path, file->content);
         if (!written) {
-            // If the disk is full half-way, the first part of a pack would block the next try.
+            // If the disk is full, an incomplete pack would block the next try.
             for (const QString& other : made)
                 QFile::remove(other);
             return written;
@@ -286,10 +286,10 @@ core::Result<QString> openPack(const QString& file)
                 return holds(QDir(folder).filePath(packed.name), packed.content);
             }))
             return folder;
-        // A cleaner of caches may remove single files, and any program may change one.
+        // A cache cleaner may have removed single files, and other programs may have changed them.
         QDir(folder).removeRecursively();
     }
-    // All or none of it: another Cusp may read it meanwhile.
+    // The folder must appear with all files at once, because another Cusp may read it meanwhile.
     QDir().mkpath(cache.path());
     QTemporaryDir beside(cache.filePath(QStringLiteral("part-XXXXXX")));
     const core::Status put =

@@ -15,8 +15,8 @@
 ///
 ///     {"format": 1, "cusp": "lessons", "files": [{"name": "...", "sha256": "...", "base64": "..."}]}
 ///
-/// so `zstd -dc NAME.cusplessons` shows it. Debian's libraries for archives (libarchive, libzip, QuaZip) would add a
-/// dependency without doing the checks for bombs, links and names outside the folder.
+/// so `zstd -dc NAME.cusplessons` shows it. Debian's archive libraries (libarchive, libzip, QuaZip) would add a
+/// dependency, and Cusp would still have to check for decompression bombs, links and names outside the folder.
 namespace lessons {
 
 inline constexpr qsizetype kMostPackedFiles = 500;
@@ -31,21 +31,21 @@ struct PackedFile
     QByteArray content;
 };
 
-/// Returns the bytes of a pack with these lessons. The error names the lesson that is faulty, or two different files
-/// that would have the same name, or says that the limit is exceeded.
+/// Returns the bytes of a pack with these lessons. Error: a lesson has faults, two different files would have the same
+/// name, or a limit is exceeded.
 [[nodiscard]] core::Result<QByteArray> packLessons(const QStringList& lessonFiles);
 
-/// Returns the files in a pack, each checked against its hash. Uses at most the memory of kLargestPackBytes and their
-/// base64. The error does not name the pack.
+/// Returns the files in a pack, each checked against its hash. Its memory is limited to kLargestPackBytes plus the
+/// base64 text of the files. The error does not name the pack.
 [[nodiscard]] core::Result<std::vector<PackedFile>> unpackLessons(const QByteArray& bytes);
 [[nodiscard]] core::Result<std::vector<PackedFile>> readPack(const QString& file);
 
-/// Writes all files into a folder, which is created if necessary; files with the same content stay. Writes nothing if a
-/// file with other content, or a link, is in the way.
+/// Writes all files into a folder and creates it if necessary. Files with the same content are not written again.
+/// Writes nothing if there is a link or a file with other content under one of the names.
 [[nodiscard]] core::Status putInto(const QString& folder, const std::vector<PackedFile>& files);
 
-/// Returns a folder with the checked files of a pack, from which lessons are read. Created on the first call and found
-/// again by the pack's hash. It is in the user's cache, so changes to it are lost.
+/// Returns a folder with the checked files of a pack, for reading its lessons. The first call creates it; later calls
+/// find it by the pack's hash. It is in the user's cache, so changes to it are lost.
 [[nodiscard]] core::Result<QString> openPack(const QString& file);
 
 }  // namespace lessons

@@ -12,7 +12,7 @@ namespace {
 
 const QString kRubric = QStringLiteral("rubric");
 
-/// Names in each fault the file that contains its key, which may be one that the lesson is based on.
+/// Sets the file of each fault to the one that contains its key, which may be a file that the lesson is based on.
 void nameFiles(std::vector<ValidationIssue>& faults, const Gathered& gathered)
 {
     for (ValidationIssue& fault : faults)
@@ -25,7 +25,7 @@ void complete(const std::optional<Gathered>& gathered, const QString& file, Json
     if (gathered) {
         QJsonObject whole = gathered->whole;
         const auto rubric = gatherRubric(whole.value(kRubric), file, files);
-        // Without a rubric there is no lesson, but all other faults are reported as well.
+        // Without a rubric the lesson is unusable, but all other faults are reported as well.
         whole.insert(kRubric, rubric ? rubric->whole : QJsonObject());
         const QString rubricFile = rubric ? rubric->parts.front().first : QString();
         Lesson lesson = lessonFrom(whole, file, rubricFile, &files, result.faults);

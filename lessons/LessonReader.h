@@ -19,11 +19,11 @@ struct ReadLesson
     QString file;
     std::optional<Lesson> lesson;
     std::vector<ValidationIssue> faults;
-    QStringList uses;  ///< the files it was read from and those it names, the lesson's first; without shipped ones
+    QStringList uses;  ///< the files read and those they name, without shipped ones; the lesson's is first
 };
 
-/// Reads the file of a lesson (schema/lesson.schema.json) with all that it is based on and its rubric, from beside it
-/// or from the shipped files. Never throws, uses little more memory than the file's size, follows at most 8 files. Any
+/// Reads the file of a lesson (schema/lesson.schema.json) with its rubric and all files that it is based on: beside it,
+/// or shipped ones. Never throws, uses little more memory than the size of the file, and follows at most 8 files. Any
 /// thread.
 [[nodiscard]] ReadLesson readLesson(const QString& file);
 
@@ -31,8 +31,8 @@ struct ReadLesson
 /// @param file  its future path: names are relative to it
 [[nodiscard]] ReadLesson readDraft(const QJsonObject& draft, const QString& file);
 
-/// Reads a lesson from the text in a recording, which is complete: it names no other file (the name of a scan is kept
-/// but not resolved, a captured ideal is included). @param name  its name in faults
+/// Reads a lesson from the text in a recording, which is complete and refers to no other file: it contains a captured
+/// ideal, and the name of a scan is not resolved. @param name  name of the text in faults
 [[nodiscard]] ReadLesson readLessonText(const QByteArray& json, const QString& name);
 
 }  // namespace lessons

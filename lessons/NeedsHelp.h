@@ -14,13 +14,13 @@ struct AttemptOutcome
     bool operator==(const AttemptOutcome&) const = default;
 };
 
-/// Number of attempts that are considered; with fewer the result is false.
+/// Number of attempts that are considered; with fewer attempts, needsHelp() returns false.
 inline constexpr std::size_t kNeedsHelpAfter = 3;
-/// Least improvement that counts; less is within day-to-day variation.
+/// Least improvement that counts. A smaller one is within day-to-day variation.
 inline constexpr int kBetterTenths = 50;
 
-/// Returns whether a student needs help with a lesson: none of the last three attempts was passed, and neither of the
-/// later two is better by five points than the ones before it among the three.
+/// Returns whether a student needs help with a lesson: none of the last three attempts was passed, and neither the
+/// second nor the third is better by five points than the attempts before it.
 ///
 /// Earlier attempts do not count: a student who was good once and fails now needs help, too.
 /// @param newestFirst  attempts at one lesson

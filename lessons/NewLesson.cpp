@@ -66,7 +66,7 @@ std::optional<QJsonObject> objectIn(const QString& path)
     return QJsonDocument::fromJson(file.read(kLargestLessonBytes)).object();
 }
 
-/// Returns the file that a lesson may be based on, as named in the folder or among the shipped ones.
+/// Returns the file that a lesson is based on, by its name in the folder or of a shipped lesson.
 core::Result<QString> baseOf(const QString& from, const QString& folder)
 {
     if (isNameBeside(from) && QFileInfo(QDir(folder).filePath(from)).isFile())
@@ -107,19 +107,19 @@ QJsonObject toothOf(const NewLesson& wishes)
         tooth.insert(QStringLiteral("fdi"), wishes.fdi.value_or(kUsualTooth));
     else
         tooth.insert(QStringLiteral("block"), wishes.block);
-    // Without a seed, the layers of a block have another order each time.
+    // Without a seed, the order of a block's layers is drawn for each attempt.
     if (wishes.seed || wishes.block.isEmpty())
         tooth.insert(QStringLiteral("seed"), wishes.seed.value_or(0));
     return tooth;
 }
 
-/// Returns the rubric of a Class I: a premolar keeps thinner ridges than a molar.
+/// Returns the id of the rubric of a Class I. Premolars have thinner ridges than molars.
 const char* classOneRubric(int fdi)
 {
     return fdi % 10 == 4 || fdi % 10 == 5 ? "class1_premolar" : "class1";
 }
 
-/// Returns the usual kind of ideal for a tooth, and its rubric.
+/// Returns the ids of the usual ideal for a tooth and of its rubric.
 core::Result<std::pair<QString, QString>> kindFor(int fdi)
 {
     using core::preparation::Kind;
@@ -132,7 +132,7 @@ core::Result<std::pair<QString, QString>> kindFor(int fdi)
     return refused(QStringLiteral("no ideal is made for tooth %1; give a captured one, or remove decay").arg(fdi));
 }
 
-/// Names the captured ideal in the lesson, with its tolerances in a rubric of the lesson's own.
+/// Sets the captured ideal of the lesson, and writes its tolerances into a rubric in the lesson.
 core::Status nameCaptured(QJsonObject& object, const QString& captured, const QString& folder, bool isBased)
 {
     const QString path = QDir(folder).filePath(captured);
@@ -155,7 +155,7 @@ core::Status nameCaptured(QJsonObject& object, const QString& captured, const QS
     return {};
 }
 
-/// Writes into `object` what differs from the lesson that it is based on.
+/// Writes into `object` the differences from the lesson that it is based on.
 core::Status beginFrom(QJsonObject& object, const NewLesson& wishes, const QString& folder)
 {
     const auto base = baseOf(wishes.from, folder);
@@ -191,7 +191,7 @@ QJsonObject inFourLanguages(const QString& en, const QString& de, const QString&
     return {{"en", en}, {"de", de}, {"es", es}, {"ja", ja}};
 }
 
-/// Writes a whole lesson into `object`.
+/// Writes a complete lesson into `object`.
 core::Status beginAnew(QJsonObject& object, const NewLesson& wishes)
 {
     const Task usual = !wishes.captured.isEmpty() ? Task::CutIdeal
@@ -217,7 +217,7 @@ core::Status beginAnew(QJsonObject& object, const NewLesson& wishes)
     object.insert(QStringLiteral("tooth"), toothOf(wishes));
     if (task == Task::RemoveDecay)
         object.insert(QStringLiteral("lesion"), QJsonObject{{"extent", kUsualExtent}});
-    if (task == Task::TraceShape)  // the rubric marks its zones
+    if (task == Task::TraceShape)  // the rubric uses the zones of the leeway
         object.insert(QStringLiteral("leeway"),
                       QJsonObject{{"sides_mm", LeewayZone().sidesMm}, {"bottom_mm", LeewayZone().bottomMm}});
     if (task == Task::CutIdeal && wishes.captured.isEmpty() && !wishes.scan.isEmpty())

@@ -13,11 +13,11 @@ namespace {
 
 using core::servo::ServoEvent;
 
-constexpr std::uint64_t kTicksAMark = 1000;  ///< in a stroke that continues
+constexpr std::uint64_t kTicksAMark = 1000;  ///< between two gradings in a stroke that continues
 constexpr std::uint64_t kTicksALook = 10;    ///< between two checks of time, force and the like
 constexpr double kFeedOverS = 0.1;           ///< the feed is averaged over this time
 
-/// The tenths lost so far, each with the time of its loss. When points are regained, the last lost come back first.
+/// The tenths of a point lost so far, each with the time of its loss. Regained points cancel the latest losses first.
 class Losses
 {
 public:
@@ -44,8 +44,8 @@ private:
     int m_sum = 0;
 };
 
-/// Returns what a criterion has lost by the work so far, to compare two moments: a critical one has failed or not.
-/// Whether its points can be earned at all is decided at the end.
+/// Returns what a criterion has lost so far, to compare two moments: 1 or 0 for a critical one. Whether its points can
+/// still be earned is decided at the end.
 int lostBy(const Criterion& line, Verdict verdict)
 {
     if (line.critical)
@@ -109,7 +109,7 @@ public:
     {
         if (auto marked = endPart(); !marked)
             return tl::unexpected(marked.error());
-        // Other changes since the last check have happened by now.
+        // Records changes since the last check with the present time.
         if (auto marked = markNow({Moment::Kind::Way, 0, m_servo.tick(), secondsNow(), 0}); !marked)
             return tl::unexpected(marked.error());
         PointLossTimeline result;
@@ -120,7 +120,7 @@ public:
             if (line.critical && !moments.empty())
                 moments.front().lostTenths = line.lostTenths;
             else if (line.lostTenths == 0)
-                moments.clear();  // another one is the worst
+                moments.clear();  // only the losses of the worst criterion count
             else if (line.isTooEarly)
                 moments = {Moment{Moment::Kind::Never, line.lostTenths, 0, 0.0, 0}};
             [[maybe_unused]] int sum = 0;
@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    /// The state that depends on the tooth, after a tick to which the attempt returns.
+    /// The state that depends on the tooth, saved after a tick to which undo may return.
     struct Kept
     {
         std::vector<Losses> losses;
@@ -241,7 +241,7 @@ private:
             kept->second = Kept{m_losses, m_measured};
     }
 
-    /// Restores the tooth, and its losses, to the state after that tick. Time and force stay.
+    /// Restores the tooth and its losses to the state after that tick. Time and force are not undone.
     void goBackTo(std::uint64_t tick)
     {
         const Kept& then = m_kept.at(tick);
@@ -256,13 +256,13 @@ private:
     core::recording::Replayer& m_servo;
     core::session::LiveAssessor m_examiner;
     core::servo::StrokeDetector m_watch;
-    Rubric m_wayRubric;                    ///< the criteria that a tick without a cut can change
-    std::vector<std::size_t> m_wayPlaces;  ///< their places in the whole rubric
+    Rubric m_wayRubric;                    ///< criteria that can change in a tick without a cut
+    std::vector<std::size_t> m_wayPlaces;  ///< their indices in the whole rubric
     std::vector<Losses> m_losses;          ///< by criterion
-    ScoreSheet m_sheet;                    ///< of the last time the tooth was graded
+    ScoreSheet m_sheet;                    ///< of the last grading of the tooth
     core::grading::Measured m_measured;
     std::map<std::uint64_t, Kept> m_kept;  ///< by tick
-    std::optional<Moment> m_part;          ///< start of the cuts since then
+    std::optional<Moment> m_part;          ///< start of the cuts since the last grading
     std::chrono::microseconds m_time{0};
     int m_strokes = 0;
     double m_feedFromMm = 0.0;  ///< height of the bur at the beginning of the present tenth of a second

@@ -71,7 +71,7 @@ void takeNumbers(JsonKeys& keys, FeelPreset& preset)
             group->nameTheRest();
 }
 
-/// Returns whether the file has a field. "caries" stands for both kinds of caries.
+/// Returns whether the file contains a field. "caries" stands for both kinds of caries.
 bool says(const QJsonObject& whole, const Field& field)
 {
     const QString group = groupOf(field);
@@ -83,7 +83,8 @@ bool says(const QJsonObject& whole, const Field& field)
            (isCaries && whole.value(QLatin1String(kBothCaries)).toObject().contains(key));
 }
 
-/// Returns whether a field was added by format 2. A file without these fields is complete, and cuts as in format 1.
+/// Returns whether a field was added by format 2. A file without these fields is complete and has the effect of format
+/// 1.
 bool isOfFormat2(const Field& field)
 {
     return field.value == &FeelPreset::flatEndShare || field.value == &FeelPreset::fullLoadN;

@@ -13,10 +13,10 @@
 #include "core/settings/FeelPreset.h"
 #include "lessons/ValidationIssue.h"
 
-/// Hardness presets as files, *.cusppreset: one JSON object with "format", "kind", "name", "version", "notes", and the
-/// numbers of core::settings::feelFields() under their ids, the part before a point being the key of an object. Format
-/// 2 added the share of flat ends and the full load. A preset without them is written in format 1, so that its hash
-/// does not change.
+/// Hardness presets as files, *.cusppreset. A file is one JSON object with "format", "kind", "name", "version",
+/// "notes", and the numbers of core::settings::feelFields() under their ids. The part of an id before a point is the
+/// key of an object. Format 2 added the share of flat ends and the full load. A preset without them is written in
+/// format 1, so that its hash does not change.
 namespace lessons {
 
 inline constexpr const char* kPresetSuffix = "cusppreset";
@@ -32,26 +32,27 @@ struct ReadPreset
     QString file;
     std::optional<core::settings::FeelPreset> preset;  ///< empty if a fault is grave
     std::vector<ValidationIssue> faults;
-    /// The contents of the file if its only fault is the stability bound.
+    /// The contents of the file, if it only exceeds the stability bound and has no other fault.
     std::optional<core::settings::FeelPreset> beyondBound{};
-    /// Numbers missing in the file, which have the shipped values: "pulp.threshold_n", or "pulp" if all of it is
-    /// missing.
+    /// Ids of numbers that are missing in the file and have the shipped values: "pulp.threshold_n", or "pulp" if the
+    /// whole object is missing.
     QStringList leftOut{};
-    bool isRetired = false;  ///< by the school: attempts may still name it, but it is not offered
+    bool isRetired = false;  ///< by the school: no longer offered, but attempts may still refer to it
 };
 
-/// Reads a preset number by number, with its hash. Missing numbers have the shipped values, except flat_end_share and
-/// full_load_n, which then have no effect; "caries" applies to soft and firm caries alike, and a file without a name
-/// has the file's name. A preset that is unstable in a light hand is refused with the bound
-/// (core::settings::checkStability). Unknown keys give warnings.
+/// Reads a preset and its hash. Missing numbers have the shipped values, except flat_end_share and full_load_n, which
+/// then have no effect. "caries" applies to soft and firm caries alike. A file without a name has the file's name. A
+/// preset that would be unstable in a light hand is refused with the stability bound (core::settings::checkStability).
+/// Unknown keys give warnings.
 /// @param file  its name in the faults
 [[nodiscard]] ReadPreset readPresetText(const QByteArray& json, const QString& file);
 [[nodiscard]] ReadPreset readPreset(const QString& file);
 
-/// Returns a warning that names the numbers missing in the file, which may be intended; empty if there are none.
+/// Returns a warning that lists the numbers missing in the file, which may be intended. Empty if none are missing.
 [[nodiscard]] std::optional<ValidationIssue> leftOutFault(const ReadPreset& read);
 
-/// Checks that a preset may be saved: a visible name, numbers in their ranges, and within the bound.
+/// Checks that a preset may be saved: its name is visible, its numbers are in their ranges and within the stability
+/// bound.
 [[nodiscard]] core::Status checkPreset(const core::settings::FeelPreset& preset);
 
 [[nodiscard]] QJsonObject toJson(const core::settings::FeelPreset& preset);
@@ -59,11 +60,11 @@ struct ReadPreset
 [[nodiscard]] std::string hashOf(const core::settings::FeelPreset& preset);
 /// Returns the preset with its hash.
 [[nodiscard]] core::settings::FeelPreset hashed(core::settings::FeelPreset preset);
-/// Writes a file. An existing file is unchanged on failure.
+/// Writes a preset to a file. If that fails, an existing file is unchanged.
 [[nodiscard]] core::Status writePreset(const QString& file, const core::settings::FeelPreset& preset);
 
-/// Returns the shipped presets, the default first: "natural", version 2, and version 1, in which the end of a bur and
-/// the load have no effect.
+/// Returns the shipped presets, the default first: "natural" version 2, then version 1, in which the shape of a bur's
+/// end and the load have no effect.
 [[nodiscard]] const std::vector<core::settings::FeelPreset>& shippedPresets();
 
 /// The preset of an attempt, for display and storage.
@@ -75,8 +76,8 @@ struct PresetUsed
     bool isChanged = false;  ///< by hand, during the attempt
     bool operator==(const PresetUsed&) const = default;
 };
-/// Parses a label.
-/// @param label  name of a core::settings::HardnessPreset, from core::settings::labelOf()
+/// Returns the preset of an attempt.
+/// @param label  label of the preset, from core::settings::labelOf()
 [[nodiscard]] PresetUsed presetUsed(const std::string& label, bool isChanged);
 [[nodiscard]] PresetUsed presetUsed(const core::recording::Recording& recording);
 

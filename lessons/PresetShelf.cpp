@@ -14,10 +14,10 @@ namespace {
 using core::settings::FeelPreset;
 
 constexpr int kTries = 16;
-/// Most files of a folder that are read: no school has so many, and a foreign folder must not take hours.
+/// Largest number of files that are read from a folder. It limits the time if the folder is not one of presets.
 constexpr qsizetype kMostPresets = 2000;
 
-/// Returns a file name that is valid everywhere and that two different names do not share.
+/// Returns a file name that is valid on all systems. Different preset names get different file names.
 QString fileNameOf(const FeelPreset& preset)
 {
     QString plain;
@@ -29,14 +29,14 @@ QString fileNameOf(const FeelPreset& preset)
         .arg(QString::fromStdString(preset.hash).left(8), QLatin1String(kPresetSuffix));
 }
 
-/// A shipped preset, with the next free version of its name if the school made that version before Cusp shipped it.
+/// Returns a shipped preset. If the school made that version before Cusp shipped it, the version is the next free one.
 FeelPreset besideOwn(FeelPreset shipped, const std::vector<ReadPreset>& kept)
 {
     const auto isTaken = [&](const ReadPreset& read) {
         return read.preset && read.preset->name == shipped.name && read.preset->version == shipped.version &&
                read.preset->hash != shipped.hash;
     };
-    if (shipped.version == 1)  // it came with the first Cusp
+    if (shipped.version == 1)  // version 1 was in the first Cusp, so it cannot be the school's
         return shipped;
     while (std::any_of(kept.begin(), kept.end(), isTaken)) {
         ++shipped.version;
@@ -108,7 +108,7 @@ core::Result<Placed> place(FeelPreset preset, const std::vector<ReadPreset>& all
     for (const ReadPreset& other : all) {
         if (!other.preset || other.preset->name != preset.name)
             continue;
-        const bool isNewest = other.preset->version > newest;  // they come newest first
+        const bool isNewest = other.preset->version > newest;  // the newest version of a name comes first
         newest = std::max(newest, other.preset->version);
         preset.version = other.preset->version;
         if ((wanted > 0 ? preset.version == wanted : isNewest) && hashOf(preset) == other.preset->hash)

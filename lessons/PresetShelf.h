@@ -14,7 +14,7 @@ namespace lessons {
 
 /// Returns all stored and shipped presets: every version of every preset, by name, the newest version of each first;
 /// then unreadable files with their faults. If a version exists with two contents, the later one counts as unreadable.
-/// A version that Cusp ships after the school has made one with its number gets the next free number.
+/// If the school has made a version with the number of a shipped one, the shipped one gets the next free number.
 [[nodiscard]] std::vector<ReadPreset> shelved(std::vector<ReadPreset> kept);
 
 /// Returns the default preset if none has been chosen: the newest shipped one.
@@ -27,16 +27,16 @@ struct Placed
     core::settings::FeelPreset preset;  ///< with its version and hash
     bool isThere = false;               ///< it exists already
 };
-/// Returns the version under which a preset is saved. If its version exists with other content, or is 0, it becomes the
-/// next version of its name; a preset equal to that version, or to the newest, exists already. Errors: those of
-/// checkPreset(), and OutOfRange if no version is left.
+/// Returns the version under which a preset is saved. If its version exists with other contents, or is 0, it becomes
+/// the next version of its name. A preset that is equal to that version, or to the newest, exists already. Errors:
+/// those of checkPreset(), and OutOfRange if no version number is left.
 /// @param all  from shelved()
 [[nodiscard]] core::Result<Placed> place(core::settings::FeelPreset preset, const std::vector<ReadPreset>& all);
 
 /// Returns each name once, in order, without retired presets.
 [[nodiscard]] QStringList namesOf(const std::vector<ReadPreset>& all);
 
-/// Returns the newest version of that name, or the version given as "name v2". UnknownName lists the known names.
+/// Returns the newest version of that name, or the version given as "name v2". The error UnknownName lists all names.
 [[nodiscard]] core::Result<core::settings::FeelPreset> findPreset(const std::vector<ReadPreset>& all,
                                                                   const QString& name);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kRoundingUnits = 1.0e-9;
 constexpr double kRoundingShare = 1.0e-14;
 
-/// Returns an error that names the place of the fault.
+/// Returns an error that names the criterion and the key.
 tl::unexpected<core::Error> wrong(core::ErrorCode code, const Rubric& rubric, const CriterionRule& rule,
                                   const char* key, core::LocalizableText what)
 {
@@ -78,7 +78,7 @@ double tolerated(const CriterionRule& rule, const Values& values)
     return rule.tolerance + rule.allowance->each * std::max(0.0, scale);
 }
 
-/// Returns how far a value is off its target on the side that counts.
+/// Returns how far a value deviates from its target, in the direction that counts.
 double offTarget(const CriterionRule& rule, double value)
 {
     switch (rule.side) {
@@ -92,7 +92,7 @@ double offTarget(const CriterionRule& rule, double value)
     return std::abs(value - rule.target);
 }
 
-/// Returns an error as a share of the span; 1 if there is no measurement, because only measured values earn points.
+/// Returns an error as a share of the span; 1 without a measured value, because only measured values earn points.
 double shareOf(const Criterion& line)
 {
     if (!line.measured)
@@ -102,7 +102,7 @@ double shareOf(const Criterion& line)
     return line.span > 0.0 ? std::min(1.0, line.error / line.span) : 1.0;
 }
 
-/// Returns the rounding error of numbers as large as these.
+/// Returns the largest rounding error of numbers of this size.
 double roundingOf(double sum)
 {
     return std::max(kRoundingUnits, kRoundingShare * sum);
@@ -135,13 +135,13 @@ Criterion judge(const CriterionRule& rule, const Values& values)
             !line.onceMeasured || rule.once->reaches - *line.onceMeasured >
                                       roundingOf(std::abs(*line.onceMeasured) + std::abs(rule.once->reaches));
     }
-    // Too early to earn points, and too early to have failed.
+    // Without the condition, a criterion earns no points yet, and a critical one has not failed yet.
     const double tooEarly = line.critical ? 0.0 : 1.0;
     line.share = line.isTooEarly ? tooEarly : shareOf(line);
     return line;
 }
 
-/// Limits the remaining points by the critical errors: the lowest limit takes all points above it.
+/// Limits the remaining points by the critical errors. The lowest limit takes all points above it.
 int limited(int left, std::vector<Criterion>& lines)
 {
     Criterion* lowest = nullptr;

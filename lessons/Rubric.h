@@ -13,7 +13,7 @@
 
 namespace lessons {
 
-/// An addition to a criterion's tolerance in proportion to another measure: a large lesion needs a large cavity.
+/// An additional tolerance of a criterion, proportional to another measure: a large lesion needs a large cavity.
 struct Allowance
 {
     std::string measure;
@@ -21,7 +21,7 @@ struct Allowance
     bool operator==(const Allowance&) const = default;
 };
 
-/// How one measure is graded. All numbers are the teacher's; none is part of the program.
+/// How one measure is graded. All numbers come from the teacher's rubric; none is built into the program.
 struct CriterionRule
 {
     std::string id;       ///< unique in its rubric
@@ -33,15 +33,14 @@ struct CriterionRule
     double tolerance = 0.0;  ///< deviation that costs nothing
     std::optional<Allowance> allowance;
     std::optional<Once> once;
-    double span = 0.0;      ///< error beyond the tolerance that costs the whole weight; 0: any error does
+    double span = 0.0;      ///< error beyond the tolerance that costs the whole weight; 0: any error costs all of it
     int weightTenths = 0;   ///< tenths of a point that can be lost here; 0 for a critical one
     bool critical = false;  ///< any error beyond the tolerance takes all points above capTenths
-    int capTenths = 0;      ///< most points after a critical error; 0: none, and the attempt fails
+    int capTenths = 0;      ///< most points after a critical error; 0: no points, and the attempt fails
     bool operator==(const CriterionRule&) const = default;
 };
 
-/// A rubric: criteria with weights of 100 points in total, and one of the two rules that schools use for adding them
-/// up.
+/// A rubric: criteria whose weights are 100 points in total, and one of the two rules by which schools add them up.
 struct Rubric
 {
     std::string id;
@@ -57,7 +56,7 @@ struct Rubric
 inline constexpr double kLargestRubricNumber = 1.0e6;
 inline constexpr std::size_t kMostCriteria = 40;
 
-/// Measured values by the ids of core::grading's table. Missing ones were not measured.
+/// Measured values by the ids of core::grading's table. A missing value was not measured.
 using Values = std::map<std::string, double, std::less<>>;
 
 /// Returns every measure that has a value.
@@ -67,11 +66,11 @@ using Values = std::map<std::string, double, std::less<>>;
 /// weight. The error names criterion and key.
 [[nodiscard]] core::Status check(const Rubric& rubric);
 
-/// Returns the tenths of a point that a criterion that is not critical costs on its own: its share of its weight, or of
-/// 100 points if the worst error decides.
+/// Returns the tenths of a point that a criterion without critical errors costs by itself: its share of its weight, or
+/// of 100 points if only the worst error counts.
 [[nodiscard]] int lostAlone(const Criterion& line, Verdict verdict);
 
-/// Returns the same for its error alone, as if its condition were fulfilled.
+/// Returns the same as if the criterion's condition were fulfilled.
 [[nodiscard]] int lostByError(const Criterion& line, Verdict verdict);
 
 /// Grades an attempt as described in docs/scoring.md. The rubric must pass check(). Any thread.

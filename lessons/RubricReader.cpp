@@ -25,7 +25,7 @@ QString shippedFile(const QString& id)
     return QLatin1String(kShippedFolder) + id + QStringLiteral(".rubric.json");
 }
 
-/// Takes tenths of a point. A weight such as 12.25 is a fault: points are given in tenths.
+/// Reads tenths of a point. A weight such as 12.25 is a fault, because points have one decimal.
 int takeTenths(JsonKeys& keys, const char* key, int otherwise)
 {
     const auto points = keys.number(key, 0.0, kMostPoints, "points");
@@ -37,7 +37,7 @@ int takeTenths(JsonKeys& keys, const char* key, int otherwise)
     return static_cast<int>(std::lround(tenths));
 }
 
-/// Takes the id of an existing measure, with its unit.
+/// Reads the id of an existing measure and sets its unit.
 std::string takeMeasure(JsonKeys& keys, const char* key, std::string* unit)
 {
     std::string id = keys.neededText(key, 80);
@@ -63,7 +63,7 @@ CriterionRule takeCriterion(JsonKeys& keys)
     rule.tolerance = keys.number("tolerance", 0.0, kLargestRubricNumber, rule.unit.c_str(), 0.0);
     rule.critical = keys.flag("critical", false);
     if (keys.has("caps_at")) {
-        rule.capTenths = takeTenths(keys, "caps_at", 1);  // if the key is refused, no second fault must follow
+        rule.capTenths = takeTenths(keys, "caps_at", 1);  // the default 1 avoids a second fault if the key is refused
         if (rule.critical)
             keys.fault("caps_at", {QT_TRANSLATE_NOOP("Fault", "a critical criterion leaves no points; give one of the "
                                                               "two")});
@@ -137,7 +137,7 @@ Rubric rubricFrom(const QJsonObject& object, const QString& file, const QString&
     std::vector<ValidationIssue> found;
     JsonKeys keys(object, file, path, found);
     Rubric rubric;
-    static_cast<void>(keys.has("format"));  // in a file of its own
+    static_cast<void>(keys.has("format"));  // present in a file of its own
     rubric.id = takeId(keys);
     rubric.version = static_cast<int>(keys.whole("version", 1, kNewestVersion, 1));
     rubric.title = keys.local("title", true);

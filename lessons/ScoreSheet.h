@@ -10,7 +10,7 @@
 
 namespace lessons {
 
-/// The side of its target on which a measure can be wrong.
+/// The direction in which a measure can deviate from its target.
 enum class Side { Over, Under, Both };
 
 /// How the points of a rubric add up. Schools use two ways (docs/facts/teaching.md, section 4).
@@ -19,7 +19,8 @@ enum class Verdict {
     WorstError    ///< only the worst criterion counts, with its share of 100 points
 };
 
-/// A condition for a criterion to earn points: an untouched tooth has spared all tissue.
+/// A condition that a criterion must meet to earn points. Otherwise an untouched tooth would score for tissue that was
+/// spared.
 struct Once
 {
     std::string measure;
@@ -28,8 +29,8 @@ struct Once
     bool operator==(const Once&) const = default;
 };
 
-/// One line of a score: the measured value, its conversion into points, and the loss. All numbers are stored, so that
-/// the formula can be shown: "4.2 %, free 1.0 %, 60 points over 30 % -> -6.4".
+/// One line of a score sheet: the measured value, its conversion into points, and the loss. All numbers are stored, so
+/// that the formula can be shown: "4.2 %, free 1.0 %, 60 points over 30 % -> -6.4".
 struct Criterion
 {
     std::string id;
@@ -47,14 +48,14 @@ struct Criterion
     std::optional<Once> once;
     std::optional<double> onceMeasured;  ///< value of the measure in `once`
     bool isTooEarly = false;             ///< the condition `once` is not fulfilled
-    double error = 0.0;                  ///< beyond the tolerance, in `unit`; 0 if it was not measured
-    double share = 0.0;  ///< of the weight lost, 0 to 1; 1 if it was not measured or is too early (critical: 0)
+    double error = 0.0;                  ///< beyond the tolerance, in `unit`; 0 if the measure has no value
+    double share = 0.0;  ///< of the weight lost, 0 to 1; 1 without a value or if isTooEarly (critical: 0)
     int lostTenths = 0;  ///< tenths of a point, exactly
     bool operator==(const Criterion&) const = default;
 };
 
-/// A grade with its reasons: total = 100 points - the sum of what each criterion lost, exactly; all in tenths of a
-/// point, as integers.
+/// A score with its reasons. The total is exactly 100 points minus the losses of all criteria, in integer tenths of a
+/// point.
 struct ScoreSheet
 {
     std::string rubricId;
@@ -67,7 +68,7 @@ struct ScoreSheet
     int totalTenths = 0;  ///< 0 .. 1000
     bool operator==(const ScoreSheet&) const = default;
 
-    /// Returns the most points that the most serious error allows; empty without such an error.
+    /// Returns the most points that critical errors allow, by the lowest limit; empty without a critical error.
     [[nodiscard]] std::optional<int> limitTenths() const
     {
         std::optional<int> limit;

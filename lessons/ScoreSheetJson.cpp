@@ -46,7 +46,7 @@ std::optional<Side> sideOf(const QString& name)
     return std::nullopt;
 }
 
-/// Reads required keys, and remembers whether they were there.
+/// Reads required keys and records whether all were present.
 class Keys
 {
 public:
@@ -68,7 +68,7 @@ public:
         return text;
     }
     QJsonArray list(QLatin1String key) { return need(key, QJsonValue::Array).toArray(); }
-    /// Returns a value; empty if the key is null.
+    /// Returns a number; empty if the value is null.
     std::optional<double> measure(QLatin1String key)
     {
         const QJsonValue value = m_object.value(key);
@@ -89,7 +89,7 @@ private:
     bool m_areThere = true;
 };
 
-/// Returns the unit of a measure, which a sheet does not contain.
+/// Returns the unit of a measure, because a sheet does not contain units.
 std::string unitOf(const std::string& measure)
 {
     const auto known = core::grading::findMeasure(measure);

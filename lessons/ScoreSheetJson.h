@@ -16,11 +16,11 @@ namespace lessons {
 /// ..., "pass_mark_tenths": ...}. Numbers are read back bit for bit. Measured values must be finite (JSON has no NaN).
 [[nodiscard]] QByteArray toJson(const ScoreSheet& sheet, const std::optional<PresetUsed>& preset = {});
 
-/// Reads such a score sheet; empty if the text is not a complete one.
+/// Reads a score sheet from such JSON; empty if the text is not a complete sheet.
 [[nodiscard]] std::optional<ScoreSheet> sheetIn(std::string_view json);
 
-/// Reads the measured values of such a score sheet, by the ids of measures; empty if the text is none. Enough to grade
-/// the attempt again by a rubric with the same measures.
+/// Reads the measured values of such a score sheet, by the ids of measures; empty if the text is no sheet. With them an
+/// attempt can be graded again by a rubric with the same measures.
 [[nodiscard]] Values measuredIn(std::string_view json);
 
 }  // namespace lessons

@@ -24,7 +24,7 @@ struct ValidationIssue
 
 [[nodiscard]] bool anyGrave(const std::vector<ValidationIssue>& faults);
 
-/// Returns a name or a number from a file, which is not translated.
+/// Marks a name or a number from a file as text that is not translated.
 [[nodiscard]] inline core::LocalizableText noted(const QString& text)
 {
     return core::noted(text.toStdString());

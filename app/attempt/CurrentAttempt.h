@@ -13,41 +13,41 @@
 
 namespace app {
 
-/// The attempt that is in progress, and where it is in its life. docs/ARCHITECTURE.md draws the states. It knows no
-/// window, no database and no clock: controllers report what has happened, and ask what may happen next. Ui thread.
+/// The state of the attempt that is in progress. docs/ARCHITECTURE.md shows the states and their transitions. The class
+/// uses no window, no database and no clock: controllers report events and ask which steps are allowed next. Ui thread.
 class CurrentAttempt
 {
 public:
     enum class State : std::uint8_t {
         Empty,       ///< no tooth has been loaded yet
         Ready,       ///< the tooth can be worked on
-        Settling,    ///< a grade was requested; the bur has to leave the tooth first
+        Settling,    ///< a grade was requested; the bur must leave the tooth first
         Predicting,  ///< the work to grade is fixed; the student may be asked which score they expect
-        Graded,      ///< it has a grade; further work on it is another attempt
+        Graded,      ///< the work has a grade; further work on the tooth is another attempt
     };
 
-    /// Whether an exam counts among the student's attempts.
+    /// Whether the attempt is an exam, and whether it counts as one of the student's attempts.
     enum class Exam : std::uint8_t {
         None,      ///< the attempt is not an exam
-        NotBegun,  ///< nothing has been cut yet, so that it does not count
-        Checking,  ///< begun; the database is asked whether an attempt is left
+        NotBegun,  ///< nothing has been cut yet, so the exam does not count
+        Checking,  ///< begun; the answer of the database, whether an attempt is left, has not arrived
         Counted,   ///< counts as an attempt, whether or not it is graded
-        Refused,   ///< no attempt was left; the work counts as nothing
+        Refused,   ///< no attempt was left, so the work does not count
     };
 
-    /// Starts an attempt: Ready, from any state.
-    /// @param generation  of its tooth; greater than that of every earlier one
+    /// Starts an attempt: changes to Ready from any state.
+    /// @param generation  number of its tooth; greater than the number of every earlier tooth
     void begin(std::uint64_t generation, const lessons::Assignment& assignment,
                const core::servo::ServoSettings& settings);
 
-    /// Marks the attempt that has just begun as one that was left unfinished. An exam that was left is counted already.
-    /// @param atTick  the tick up to which it had been recorded
-    /// @param seen    the score was seen, and is saved nowhere: nothing can be cut any more
+    /// Marks the attempt that has just begun as the continuation of an unfinished one. An exam then counts already.
+    /// @param atTick  the tick up to which the attempt had been recorded
+    /// @param seen    set if the student has seen the score but it was not saved; then nothing can be cut any more
     void resume(std::uint64_t atTick, const std::optional<GradedMarker>& seen);
 
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] std::uint64_t generation() const { return m_generation; }
-    /// Its anatomy is null in the state Empty.
+    /// Returns the assignment of the attempt. Its anatomy is null in the state Empty.
     [[nodiscard]] const lessons::Assignment& assignment() const { return m_assignment; }
     [[nodiscard]] const core::servo::ServoSettings& settings() const { return m_settings; }
     [[nodiscard]] bool hasTooth() const { return m_assignment.anatomy != nullptr; }
@@ -55,13 +55,14 @@ public:
     [[nodiscard]] bool isResumed() const { return m_isResumed; }
     [[nodiscard]] const std::optional<GradedMarker>& seenBefore() const { return m_seenBefore; }
 
-    /// Requests a grade: Settling, from any state with a tooth. Returns false if one was requested already.
+    /// Requests a grade: changes to Settling. Returns false if there is no tooth or a grade was requested already.
     bool settle();
-    /// Withdraws the request: back to the state before settle().
+    /// Cancels the request: changes back to the state before settle().
     void stopSettling();
-    /// Fixes the work that will be graded: Predicting. If the exam's time is over, the work as it was then.
-    /// @param now  the work of this moment; not called where the end of the exam is known
-    /// @param isExamOver  nothing can be cut any more, so that `now` is the end of the exam
+    /// Fixes the work that will be graded: changes to Predicting. After the end of an exam, that is the work at its
+    /// end.
+    /// @param now         returns the present work; not called if the work at the end of the exam is known
+    /// @param isExamOver  whether the exam has ended, so that `now` returns the work at its end
     template <class Now>
     void conclude(const Now& now, bool isExamOver)
     {
@@ -73,28 +74,29 @@ public:
             m_examsEnd = m_toGrade;
         m_state = State::Predicting;
     }
-    /// Returns the work to grade, once: Graded. Empty in any other state than Predicting, and where there is none or it
-    /// belongs to another tooth.
+    /// Returns the work to grade, once, and changes to Graded. Returns nullopt in every state other than Predicting,
+    /// and if there is no work or it belongs to another tooth.
     [[nodiscard]] std::optional<core::session::AttemptSnapshot> grade();
-    /// Whether a grade was given to this attempt.
+    /// Returns whether this attempt has been graded.
     [[nodiscard]] bool isGraded() const { return m_isGraded; }
 
-    /// Sets whether the attempt rests while a recording is played in its place. Another attempt ends the rest.
+    /// Sets whether the attempt pauses while a recording is played in its place. begin() ends the pause.
     void setResting(bool isResting) { m_isResting = isResting; }
     [[nodiscard]] bool isResting() const { return m_isResting; }
 
     [[nodiscard]] Exam exam() const { return m_exam; }
-    /// Reports the first cut of an exam. Returns true the first time: the exam has to be counted. Then it is Counted at
-    /// once if it was resumed, else Checking until answerExam().
+    /// Reports the first cut of an exam. Returns true the first time: the caller must count the exam. A resumed exam is
+    /// then Counted at once, any other is Checking until answerExam().
     bool startExam();
-    /// Reports whether an attempt was left: Counted or Refused, from Checking only.
-    /// @param generation  for which it was asked; another one's answer changes nothing
-    /// @returns whether the exam is refused now
+    /// Reports whether an attempt was left: changes from Checking to Counted or Refused. Does nothing in any other
+    /// case.
+    /// @param generation  number of the tooth in the request; the answer for another tooth is ignored
+    /// @returns whether the exam has been refused by this call
     bool answerExam(std::uint64_t generation, bool isAllowed);
 
-    /// Returns the violation that is explained to the student next: of those not reported yet the gravest; in an exam
-    /// none. Violations from before an attempt was resumed were reported then.
-    /// @param found  all of the attempt, in the order of their ticks
+    /// Returns the violation that is explained to the student next: the gravest one that has not been reported yet. In
+    /// an exam returns nullopt. Violations before the tick at which the attempt was resumed count as reported.
+    /// @param found  all violations of the attempt, in the order of their ticks
     [[nodiscard]] std::optional<core::grading::Infraction>
     nextViolation(const std::vector<core::grading::Infraction>& found);
 
@@ -112,7 +114,7 @@ private:
     std::optional<GradedMarker> m_seenBefore;
     std::size_t m_violationsReported = 0;
     std::optional<core::session::AttemptSnapshot> m_toGrade;
-    std::optional<core::session::AttemptSnapshot> m_examsEnd;  ///< the work as the exam's time ran out
+    std::optional<core::session::AttemptSnapshot> m_examsEnd;  ///< the work at the end of the exam
 };
 
 }  // namespace app

@@ -18,7 +18,7 @@ constexpr std::uint64_t kMostTicks = 600'000;  ///< ten minutes
 constexpr std::uint64_t kTicksPerDecision = 16;
 constexpr std::uint64_t kTicksAfterwards = 500;
 
-/// The handpieces and the first bur of a lesson.
+/// Returns options with the settings and the first bur of the lesson of an assignment.
 haptics::SimulationOptions optionsFor(const lessons::Assignment& assignment)
 {
     haptics::SimulationOptions options;

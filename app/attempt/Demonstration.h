@@ -9,18 +9,20 @@
 
 namespace app {
 
-/// A hand that cuts what an assignment asks for: its ideal, or about the smallest cavity that clears the decay.
-/// @param burIndex  of core::bur::burs(), that it holds
+/// Returns a simulated hand that cuts the ideal of an assignment. If there is no ideal, the hand cuts about the
+/// smallest cavity that removes the decay.
+/// @param burIndex  index of the bur in core::bur::burs()
 [[nodiscard]] haptics::IdealHand handFor(const lessons::Assignment& assignment, std::size_t burIndex);
 
-/// An attempt at an assignment by such a hand with the first bur that is allowed. The same assignment gives the same
-/// recording. A second or two; any thread that may wait. WrongKind for an exercise, where nothing is to be cut.
-/// @param simulatedFalcon  the hand holds a simulated Falcon, and no pointer
+/// Simulates an attempt at an assignment by such a hand with the first allowed bur. The same assignment gives the same
+/// recording. Takes a second or two; any thread that may wait. Error: WrongKind for an exercise in which nothing is
+/// cut.
+/// @param simulatedFalcon  whether the hand uses a simulated Falcon instead of a pointer
 [[nodiscard]] core::Result<haptics::SimulationOutcome> demonstrate(const lessons::Assignment& assignment,
                                                                    bool simulatedFalcon);
 
-/// An attempt by such a hand that cuts another surface than the one asked for.
-/// @param wanted  top of each column afterwards, mm, [side * side]
+/// Simulates an attempt by a hand that cuts another surface than the ideal.
+/// @param wanted  height of each column after the attempt, mm, [side * side]
 [[nodiscard]] core::Result<haptics::SimulationOutcome> cutInstead(const lessons::Assignment& assignment,
                                                                   const std::vector<float>& wanted);
 

@@ -7,8 +7,8 @@
 namespace app {
 
 /// Returns the settings of a servo for the hand that moves the bur.
-/// @param hasForce  the hand feels a force
-/// @param scale     how far the hand moves for one millimetre of the bur
+/// @param hasForce  whether the hand feels a force
+/// @param scale     distance in millimetres that the hand moves for one millimetre of the bur
 [[nodiscard]] inline core::servo::ServoSettings settingsFor(bool hasForce, double scale = 1.0)
 {
     core::servo::ServoSettings settings;

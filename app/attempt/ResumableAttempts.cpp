@@ -14,7 +14,7 @@
 namespace app {
 namespace {
 
-// A program that was just killed may hold its journal for a moment more.
+// A program that was just killed may lock its journal for a moment longer.
 constexpr int kLooksForJournal = 6;
 constexpr unsigned long kJournalRestMs = 500;
 
@@ -23,11 +23,12 @@ bool isGradedNote(const core::servo::ServoEvent& event)
     return event.kind == core::servo::ServoEvent::Kind::Note && event.value == core::servo::kGradedNote;
 }
 
-/// Whether anything was cut after the last grade, or after these events. It takes as long as a replay.
+/// Returns whether anything was cut after the last grade and after the first `events` events. Takes as long as a
+/// replay.
 bool isCutOn(const core::recording::Recording& recording, std::uint64_t events = 0)
 {
     auto servo = core::recording::Replayer::make(recording);
-    bool isCut = !servo;  // nobody knows
+    bool isCut = !servo;  // a recording that cannot be replayed must not be discarded
     std::uint64_t played = 0;
     if (servo)
         recording.forEach([&](const core::servo::ServoEvent& event) {
@@ -37,8 +38,8 @@ bool isCutOn(const core::recording::Recording& recording, std::uint64_t events =
     return isCut;
 }
 
-/// An attempt that was graded and not gone on with is done: taken up again it would count twice. That a bur turned
-/// while the work was looked at is not to go on. An exam ends with its score, however the program ended.
+/// Returns whether an attempt was graded and nothing was cut afterwards: resumed, it would count twice. A bur that only
+/// turned after the grade does not matter. An exam is done once it has a grade.
 bool isDone(const core::recording::Recording& recording)
 {
     using Kind = core::servo::ServoEvent::Kind;
@@ -57,7 +58,8 @@ bool isDone(const core::recording::Recording& recording)
     return (read.lesson && read.lesson->exam) || !isCutOn(recording);
 }
 
-/// Whether an attempt is kept; nothing: nobody says.
+/// Returns whether an attempt is saved, in the outbox or in the database. Returns nullopt if the database has not
+/// answered.
 std::optional<bool> isThere(const std::string& uid, const QString& outbox,
                             const std::optional<std::set<std::string>>& kept)
 {
@@ -68,14 +70,15 @@ std::optional<bool> isThere(const std::string& uid, const QString& outbox,
     return kept ? std::optional(kept->contains(uid)) : std::nullopt;
 }
 
-/// One journal of them: takes what is in it, or says why not. False: a program has it open.
+/// Reads one journal for findUnfinished() and stores the result in `taken`. Returns false if another program has the
+/// journal open.
 bool look(const std::filesystem::path& journal, const QString& outbox, const database::KnownAttempts& known,
           FoundUnfinished& taken)
 {
     auto found = core::recording::findAttempt(journal);
     if (!found) {
         taken.failure = found.error();
-        if (found.error().code != core::ErrorCode::NewerVersion)  // which may still take it up
+        if (found.error().code != core::ErrorCode::NewerVersion)  // a newer program can still resume the attempt
             core::recording::discardJournal(journal);
         return true;
     }
@@ -84,7 +87,7 @@ bool look(const std::filesystem::path& journal, const QString& outbox, const dat
     const core::recording::Recording& recording = (*found)->recording;
     const auto mark = gradedMark(journal);
     const auto isKept = mark ? isThere(mark->uid, outbox, known.kept) : std::nullopt;
-    if (mark && !isKept) {  // nobody knows: it may become two attempts
+    if (mark && !isKept) {  // if the attempt is already saved, resuming would count it twice
         taken.isUndecided = true;
         return true;
     }

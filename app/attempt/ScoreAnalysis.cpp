@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-constexpr double kShareAStep = 0.02;  ///< of progress: more often nobody sees it
+constexpr double kShareAStep = 0.02;  ///< smallest progress that is reported
 
 }  // namespace
 
@@ -40,7 +40,8 @@ void ScoreAnalysis::explain(const lessons::Assignment& assignment, const core::r
     forget();
     m_goOn = std::make_shared<std::atomic<bool>>(true);
     emit momentsProgress(0.0);
-    // This outlives the pool's work, which waits in the destructor; whether the work is still wanted says goOn.
+    // `this` stays valid during the work, because the destructor waits for the pool. `goOn` is false once the analysis
+    // has been cancelled.
     m_pool.start([this, goOn = m_goOn, assignment, recording, tooth = std::move(tooth), conduct] {
         const auto tell = [this, goOn](auto what) {
             QMetaObject::invokeMethod(

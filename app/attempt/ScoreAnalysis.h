@@ -19,8 +19,8 @@ class ScorePage;
 
 namespace app {
 
-/// Finds out in the background what a score does not say by itself, on one thread of low priority. Its owner's thread;
-/// signals come there.
+/// Computes in the background how exact a score is and when its points were lost, on a pool thread of low priority. Ui
+/// thread; signals are emitted there.
 class ScoreAnalysis final : public QObject
 {
     Q_OBJECT
@@ -28,16 +28,17 @@ public:
     explicit ScoreAnalysis(QObject* parent = nullptr);
     ~ScoreAnalysis() override;
 
-    /// Begins with another attempt; what goes on about the one before is left off.
-    /// @param tooth, conduct  as it ended, and how it went
+    /// Starts to analyse an attempt. Cancels the analysis of the attempt before.
+    /// @param tooth    the tooth at the end of the attempt
+    /// @param conduct  the measures of the process
     void explain(const lessons::Assignment& assignment, const core::recording::Recording& recording,
                  std::shared_ptr<const core::terrain::Tooth> tooth, const lessons::Conduct& conduct);
-    /// Says again what has been found so far.
+    /// Emits the signals for all results so far again.
     void tellAgain();
-    /// Leaves off; what was found is forgotten.
+    /// Cancels the analysis and clears its results.
     void forget();
-    /// Shows on the score page what is found, as it is found.
-    /// @param isShown  whether the page shows the attempt that this is about; findings are dropped while it does not
+    /// Shows each result on the score page when it arrives.
+    /// @param isShown  returns whether the page shows the analysed attempt; if not, results are not shown
     void showOn(ui::scoring::ScorePage& page, const std::function<bool()>& isShown);
 
 signals:
@@ -51,7 +52,7 @@ private:
     void takeMoments(const core::Result<std::optional<lessons::PointLossTimeline>>& found);
 
     QThreadPool m_pool;
-    std::shared_ptr<std::atomic<bool>> m_goOn;  ///< of the attempt that is looked at; null: none
+    std::shared_ptr<std::atomic<bool>> m_goOn;  ///< false cancels the present analysis; null: there is none
     double m_share = 0.0;
     std::optional<lessons::GridSensitivity> m_noise;
     std::optional<lessons::PointLossTimeline> m_moments;

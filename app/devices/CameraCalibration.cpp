@@ -19,7 +19,8 @@ using core::tracking::CameraModel;
 constexpr int kCameraFormat = 1;
 constexpr qint64 kMostBytes = 64 * 1024;
 
-/// @param sentence  with %1 for the path
+/// Returns an error whose text is a sentence with the path of the file.
+/// @param sentence  contains %1 in place of the path
 tl::unexpected<core::Error> calibrationFault(ErrorCode code, const char* sentence, const QString& path)
 {
     return core::unexpected(code, core::LocalizableText{sentence, {core::noted(path.toStdString())}});
@@ -47,7 +48,7 @@ core::Result<CameraModel> readCameraCalibration(const QString& path)
         return value.toDouble();
     };
     CameraModel camera;
-    camera.width = root[QStringLiteral("width")].toInt();  // 0 for what is no whole number, and 0 is refused
+    camera.width = root[QStringLiteral("width")].toInt();  // 0 if it is no integer, which check() refuses
     camera.height = root[QStringLiteral("height")].toInt();
     camera.focalPx = {number("fx"), number("fy")};
     camera.centrePx = {number("cx"), number("cy")};

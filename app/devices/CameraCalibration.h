@@ -13,7 +13,7 @@ namespace app {
 /// Errors: FileMissing, FileUnreadable, FileTooLarge, BadStructure, OutOfRange.
 [[nodiscard]] core::Result<core::tracking::CameraModel> readCameraCalibration(const QString& path);
 
-/// Writes one. Errors: FileUnwritable.
+/// Writes the calibration of a camera to a file of that format. Errors: FileUnwritable.
 [[nodiscard]] core::Status writeCameraCalibration(const QString& path, const core::tracking::CameraModel& camera);
 
 }  // namespace app

@@ -15,7 +15,7 @@ using ui::kit::memory;
 const QString kPedalKey = QStringLiteral("controllers/pedal");
 const QString kPedalNameKey = QStringLiteral("controllers/pedal_name");
 
-/// In the order of ui::devices::ControllerAction.
+/// The keys of the actions, in the order of ui::devices::ControllerAction.
 constexpr std::array<const char*, ui::devices::kControllerActions> kActionKeys{
     "drill", "undo", "redo", "mirror", "centre", "next_view", "next_bur", "grade"};
 
@@ -24,7 +24,7 @@ QString controllerKey(const QString& guid, const char* what)
     return QStringLiteral("controllers/%1/%2").arg(guid, QLatin1String(what));
 }
 
-/// Replaces a value by the stored number, if there is one and it is within its range.
+/// Sets `value` to the stored number, if there is one between `low` and `high`.
 template <class T>
 void recallWithin(const QSettings& stored, const QString& key, T low, T high, T& value)
 {

@@ -9,12 +9,13 @@
 
 namespace app {
 
-/// Settings of pedals and gamepads on this computer, each kind by its GUID. A stored value out of its range does not
-/// count.
+/// Returns the stored settings of a kind of pedal or gamepad on this computer, or nullopt if there are none. A stored
+/// value out of range is replaced by the default value.
+/// @param guid  identifies the kind
 [[nodiscard]] std::optional<ui::devices::ControllerSettings> storedController(const QString& guid);
 void storeController(const QString& guid, const ui::devices::ControllerSettings& settings);
 
-/// The controller that runs the bur.
+/// The pedal or gamepad that the user has chosen to run the bur.
 struct ChosenPedal
 {
     QString guid;  ///< empty: none

@@ -193,7 +193,8 @@ bool DeviceController::isForceChosen() const
     return m_chosen == kSimulated || m_wasReady;
 }
 
-/// All devices run while the page is open, so that it can say what is plugged in; otherwise the chosen one.
+/// Starts and stops devices. All of them run while the page of devices is open, so that it can show which ones are
+/// plugged in; otherwise only the chosen device runs.
 void DeviceController::startWanted()
 {
     bool isAnyRunning = false;
@@ -243,7 +244,7 @@ void DeviceController::poll()
     follow();
 }
 
-/// The simulated hand cuts another attempt than the user's: their work is asked about first.
+/// Chooses a hand. The simulated hand starts another attempt, so asks the user about their unsaved work first.
 void DeviceController::want(const QString& id)
 {
     if (id == kSimulated)
@@ -258,7 +259,7 @@ void DeviceController::choose(const QString& id)
         return;
     const bool concernsSimulated = id == kSimulated || m_chosen == kSimulated;
     m_chosen = id;
-    if (id != kSimulated)  // the next run is a student's again
+    if (id != kSimulated)  // the simulated hand is chosen for this run only
         memory().setValue(kHandKey, id);
     m_isLost = false;
     m_wasReady = false;
@@ -273,7 +274,7 @@ void DeviceController::choose(const QString& id)
         emit inUseChanged();
 }
 
-/// Looks at the chosen hand, and gives the bur to whom it belongs now.
+/// Reads the state of the chosen hand, and selects the hand that moves the bur now.
 void DeviceController::follow()
 {
     Device* const device = find(m_chosen);
@@ -287,7 +288,7 @@ void DeviceController::follow()
     const bool wasReady = std::exchange(m_wasReady, isReady);
     if (m_stage != report.stage)
         askForUser(*device, report);
-    // Where the tooth is not seen, no force comes from it.
+    // A tooth that is not visible must not push the hand.
     use(isReady && m_window.isInRoom() ? m_chosen : kPointer);
     if (!m_window.isInRoom() || m_window.isReplaying())
         m_isLost = false;
@@ -345,15 +346,15 @@ void DeviceController::say(const Device& device, bool isReady)
         });
 }
 
-/// Shows a message when the device waits for the user and the page of devices is closed. Does not cover a message about
-/// something else: the call is repeated when that is closed.
+/// Shows a message when the device waits for the user and the page of devices is closed. Does not replace a message
+/// about something else: poll() calls this again until that message is closed.
 void DeviceController::askForUser(const Device& device, const DeviceReport& report)
 {
     const bool waits = report.stage == DeviceStage::Homing || report.stage == DeviceStage::NeedsFirmware ||
                        report.stage == DeviceStage::Unavailable;
     MessageBar& messages = m_window.messages();
     if (waits && !m_isPageOpen && messages.isVisibleTo(&m_window) && messages.topic() != MessageBar::Topic::Device)
-        return;  // asked again when it is closed
+        return;  // m_stage stays as it was, so the next poll tries again
     if ((waits && !m_isPageOpen) || report.stage == DeviceStage::Ready)
         messages.withdraw(MessageBar::Topic::Device);
     m_stage = report.stage;
@@ -370,7 +371,8 @@ void DeviceController::askForUser(const Device& device, const DeviceReport& repo
     });
 }
 
-/// The button for the drill is the device's pedal. A click that came while the device was not in use does nothing.
+/// Triggers the actions of the grip buttons that were pressed since the last poll. The grip button for the drill is not
+/// among them: the servo reads it as the pedal of the device.
 void DeviceController::pressButtons(const DeviceReport& report)
 {
     const ui::kit::Actions& actions = m_window.actions();
@@ -382,7 +384,8 @@ void DeviceController::pressButtons(const DeviceReport& report)
             action->trigger();
 }
 
-/// On the button of the practice room.
+/// Shows the device and its state on the button of the practice room.
+/// @param device  null: the hand is no force device
 void DeviceController::showState(const Device* device, const DeviceReport& report)
 {
     ui::kit::Actions& actions = m_window.actions();

@@ -19,15 +19,16 @@ namespace app {
 
 /// Decides which hand moves the bur: mouse or pen, the simulated hand, or a force device while it is ready.
 ///
-/// It starts, watches and stops the force devices of this station, shows them on the page of devices, and remembers
-/// the user's choice. While the page is open, the pointer has the bur, and a device can be tried without a tooth. Ui
+/// Starts, watches and stops the force devices of this computer, shows them on the page of devices and saves the user's
+/// choice. While that page is open, the pointer moves the bur, and the user can try a device without a tooth. Ui
 /// thread.
 class DeviceController final : public QObject
 {
     Q_OBJECT
 
 public:
-    /// The switch, and the two hands that are no force device. All of them outlive the controller.
+    /// The switch that selects the hand, and the two hands that are not force devices. All of them must outlive the
+    /// controller.
     struct Hands
     {
         haptics::DeviceSwitch& bur;
@@ -41,26 +42,28 @@ public:
     /// Stops the devices. No thread reads the switch any more.
     ~DeviceController() override;
 
-    /// Id of the hand that moves the bur now: "pointer", "simulated" or that of a kind of force device.
+    /// Returns the id of the hand that moves the bur now: "pointer", "simulated" or the id of a kind of force device.
     [[nodiscard]] const QString& inUse() const { return m_inUse; }
-    /// Id of the hand that attempts are made with: the same, also while a page covers the tooth and the pointer has the
-    /// bur.
+    /// Returns the id of the hand that attempts are made with. Unlike inUse(), it does not change while a page covers
+    /// the tooth and the pointer moves the bur.
     [[nodiscard]] QString hand() const;
     /// Returns the name of the device that an attempt is stored with: the id of the hand in use or, if that is the
     /// pointer, "mouse", "pen", "keyboard" or "gamepad".
     [[nodiscard]] QString cutsWith() const;
     [[nodiscard]] bool isSimulated() const;
-    /// The hand in use feels a force.
+    /// Returns whether the hand in use feels a force.
     [[nodiscard]] bool hasForce() const;
-    /// The chosen hand feels a force. While the page is open the pointer has the bur, but an attempt does not change.
+    /// Returns whether the chosen hand feels a force: it is the simulated hand, or a force device that is ready. Unlike
+    /// hasForce(), this does not change while a page covers the tooth.
     [[nodiscard]] bool isForceChosen() const;
-    /// How far the chosen hand moves for one millimetre of the bur.
+    /// Returns the distance in millimetres that the chosen hand moves for one millimetre of the bur.
     [[nodiscard]] double scale() const;
 
 signals:
-    /// Emitted when another hand moves the bur, and when another is chosen.
+    /// Emitted when another hand moves the bur, and when the user has chosen another hand.
     void inUseChanged();
-    /// Emitted when the user has chosen or left the simulated hand: what is on the table begins anew.
+    /// Emitted when the user has chosen the simulated hand, or another hand in its place. The current attempt starts
+    /// again.
     void simulatedChanged();
 
 private:
@@ -95,10 +98,10 @@ private:
     QString m_chosen;
     QString m_inUse;
     bool m_isPageOpen = false;
-    bool m_wasReady = false;                   ///< the chosen device, when it was looked at last
-    bool m_isLost = false;                     ///< it was in use, and has stopped to be ready
-    core::session::DeviceStage m_stage{};      ///< of the chosen device, as it was looked at last
-    std::array<std::uint32_t, 4> m_presses{};  ///< of its grip buttons that are done
+    bool m_wasReady = false;                   ///< the chosen device was ready at the last poll
+    bool m_isLost = false;                     ///< the chosen device was in use and is not ready any more
+    core::session::DeviceStage m_stage{};      ///< stage of the chosen device at the last poll
+    std::array<std::uint32_t, 4> m_presses{};  ///< presses of its grip buttons that have been handled
     QTimer m_poll;
 };
 

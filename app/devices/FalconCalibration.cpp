@@ -36,7 +36,8 @@ std::string named(const QString& path, const char* what)
     return path.toStdString() + ": " + what;
 }
 
-/// False if the key is there and has no number. A key that is missing leaves the usual value.
+/// Sets `number` to the value of a key. Returns false if the value is no number. If the key is missing, leaves `number`
+/// unchanged and returns true.
 bool takeNumber(const QJsonValue& value, double& number)
 {
     if (value.isUndefined())

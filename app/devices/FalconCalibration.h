@@ -5,17 +5,18 @@
 
 #include "haptics/falcon/Calibration.h"
 
-/// The file with the calibration of the Falcon of this computer (JSON).
+/// Reads and writes the JSON file with the calibration of the Falcon of this computer.
 namespace app {
 
-/// Beside the settings of the window: falcon.json.
+/// Returns the path of that file: falcon.json in the folder of the settings file.
 [[nodiscard]] QString falconCalibrationFile();
 
-/// Errors: FileMissing, FileUnreadable, FileTooLarge, BadStructure (no JSON of this kind), OutOfRange.
+/// Reads a calibration. Errors: FileMissing, FileUnreadable, FileTooLarge, BadStructure (no calibration in JSON),
+/// OutOfRange.
 [[nodiscard]] core::Result<haptics::falcon::Calibration> readFalconCalibration(const QString& path);
 
-/// The calibration of this computer, or the usual values if there is none. `why` is set to the error of a file that
-/// cannot be used.
+/// Returns the calibration of this computer, or the default values if there is none. If the file exists but cannot be
+/// used, sets `why` to the error.
 [[nodiscard]] haptics::falcon::Calibration stationsFalconCalibration(core::Status* why = nullptr);
 
 [[nodiscard]] core::Status writeFalconCalibration(const QString& path, const haptics::falcon::Calibration& calibration);

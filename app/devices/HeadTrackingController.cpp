@@ -40,9 +40,9 @@ using ui::kit::MessageBar;
 
 constexpr int kShowMs = 40;
 constexpr int kTagWatchMs = 500;
-constexpr int kMissedAfter = 10;        ///< watches in a row without the tag, until the user is told
+constexpr int kMissedAfter = 10;        ///< checks in a row without the tag after which a message is shown
 constexpr int kCamerasEvery = 25;       ///< polls between two searches for cameras
-constexpr double kToTheScreenS = 0.02;  ///< from drawing a frame until it is seen
+constexpr double kToTheScreenS = 0.02;  ///< time from drawing a frame until the screen shows it
 constexpr std::chrono::milliseconds kTrackerBeat{10};
 
 core::tracking::TrackerLoop::Open sourceOf(const HeadTrackingSettings& settings)
@@ -50,7 +50,7 @@ core::tracking::TrackerLoop::Open sourceOf(const HeadTrackingSettings& settings)
     const QFileInfo file(settings.video);
     if (!settings.video.isEmpty() && file.isDir())
         return [path = settings.video.toStdString()] { return core::tracking::openFolder(path); };
-    // Reading a pipe waits for its writer, and the window would wait for the thread that reads.
+    // Reading a pipe blocks until another program writes to it, and the window would wait for the blocked thread.
     if (!settings.video.isEmpty() && file.exists() && !file.isFile())
         return [path = settings.video.toStdString()]() -> core::Result<std::unique_ptr<core::tracking::PictureSource>> {
             return core::unexpected(
@@ -74,7 +74,7 @@ core::tracking::TrackerSettings trackerSettings(const HeadTrackingSettings& sett
     return wanted;
 }
 
-/// Whether the tracker has to begin anew.
+/// Returns whether the tracker must be restarted to change its settings from `a` to `b`.
 bool concernsTracker(const HeadTrackingSettings& a, const HeadTrackingSettings& b)
 {
     HeadTrackingSettings same = b;
@@ -95,7 +95,7 @@ HeadTrackingController::Tracker::Tracker(core::tracking::TrackerLoop::Open open,
                                          const core::tracking::TrackerSettings& settings)
     : loop(std::move(open), settings), thread(loop, kTrackerBeat, LoopThread::Urgency::Normal)
 {
-    // The servo and the view come first.
+    // The tracker must not take time from the servo and the view.
     thread.start(QThread::LowPriority);
 }
 
@@ -164,7 +164,7 @@ void HeadTrackingController::change(const HeadTrackingSettings& settings)
         restart();
 }
 
-/// Where it cannot be used, the user is told, and the field of view counts.
+/// Reads the calibration file of the settings. If it cannot be used, shows a message and uses the field of view.
 void HeadTrackingController::readCalibration()
 {
     m_calibration.reset();
@@ -198,7 +198,8 @@ void HeadTrackingController::showSettings()
     m_view.setSettings(view);
 }
 
-/// From the size at which the tag is seen now.
+/// Computes the field of view of the camera from the size at which it sees the tag now, which the user holds at a
+/// distance of HeadTrackingSettings::kMeasuredMm. Saves it in the settings.
 void HeadTrackingController::measureFieldOfView()
 {
     if (!m_tracker)
@@ -247,7 +248,7 @@ void HeadTrackingController::askWhereToPrint()
     dialog->open();
 }
 
-/// Writes the sheet with the tag and shows it.
+/// Writes the sheet with the tag as a PDF and opens it.
 void HeadTrackingController::print(const QString& path)
 {
     const QByteArray bytes = ui::devices::TagSheet(m_settings.tagId, core::tracking::cellsOf(m_settings.tagId)).pdf();
@@ -279,7 +280,8 @@ void HeadTrackingController::print(const QString& path)
 void HeadTrackingController::restart()
 {
     m_watch.stop();
-    // A camera that has just stopped sending can keep its thread waiting for two seconds, and the window need not.
+    // The tracker's thread can wait two seconds for a camera that has just stopped sending. A pool thread waits for it,
+    // so that the window does not.
     if (m_tracker && !m_settings.isOn)
         QThreadPool::globalInstance()->start([ended = std::shared_ptr<Tracker>(std::move(m_tracker))] {});
     m_tracker.reset();
@@ -289,7 +291,7 @@ void HeadTrackingController::restart()
     m_view.recentre();
     m_window.actions().recentreHead->setVisible(m_settings.isOn);
     if (!m_settings.isOn)
-        return;  // the view glides back, see leanNow()
+        return;  // leanNow() moves the view back smoothly
     m_tracker = std::make_unique<Tracker>(sourceOf(m_settings), trackerSettings(m_settings, m_calibration));
     m_watch.start();
     m_tracker->loop.showPictures(m_isPageOpen);
@@ -301,7 +303,8 @@ Lean HeadTrackingController::leanNow(double seconds, bool touches)
     return m_view.update(m_tracker ? m_tracker->loop.head() : Head{}, secondsNow() + kToTheScreenS, seconds, touches);
 }
 
-/// In the practice room, the user is told once that the camera is lost or that the tag is not seen.
+/// Shows a message, once, when the camera is lost or the tag has not been seen for a while. Does nothing while the page
+/// of devices is open.
 void HeadTrackingController::watch()
 {
     const TrackerStage stage = m_tracker->loop.report().stage;

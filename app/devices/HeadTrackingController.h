@@ -25,18 +25,18 @@ class HeadTrackingController final : public QObject
 
 public:
     explicit HeadTrackingController(ui::window::MainWindow& window);
-    /// Stops the tracker; the view follows it no longer.
+    /// Stops the tracker, and detaches the view from it.
     ~HeadTrackingController() override;
 
     [[nodiscard]] bool isOn() const { return m_settings.isOn; }
 
 private:
-    /// A tracker and the thread that it runs in.
+    /// A tracker and its thread.
     struct Tracker
     {
         Tracker(core::tracking::TrackerLoop::Open open, const core::tracking::TrackerSettings& settings);
         core::tracking::TrackerLoop loop;
-        LoopThread thread;  ///< last: it uses the loop
+        LoopThread thread;  ///< declared last, because it uses the loop
     };
     void connectPage();
     void turn(bool on);
@@ -54,13 +54,13 @@ private:
 
     ui::window::MainWindow& m_window;
     ui::devices::HeadTrackingSettings m_settings;
-    std::optional<core::tracking::CameraModel> m_calibration;  ///< what HeadTrackingSettings::calibration names
+    std::optional<core::tracking::CameraModel> m_calibration;  ///< read from HeadTrackingSettings::calibration
     std::unique_ptr<Tracker> m_tracker;
     core::tracking::HeadView m_view;
     QTimer m_poll;
-    QTimer m_watch;                         ///< outside the page
-    core::tracking::TrackerStage m_said{};  ///< that the user was told of last
-    int m_withoutTag = 0;                   ///< times in a row that m_watch found no tag
+    QTimer m_watch;                         ///< checks the tracker, also while the page of devices is closed
+    core::tracking::TrackerStage m_said{};  ///< stage that watch() handled last
+    int m_withoutTag = 0;                   ///< number of checks in a row without the tag
     int m_polls = 0;
     bool m_isPageOpen = false;
 };

@@ -24,7 +24,7 @@ const QString kGainKey = QStringLiteral("head/gain");
 const QString kMirroredKey = QStringLiteral("head/mirrored");
 const QString kWindowKey = QStringLiteral("head/window");
 
-/// A number as it was stored, if it is one within its range.
+/// Sets `value` to the stored number, if there is one between `low` and `high`.
 template <class T>
 void recallNumber(const QSettings& stored, const QString& key, T low, T high, T& value)
 {
@@ -34,7 +34,7 @@ void recallNumber(const QSettings& stored, const QString& key, T low, T high, T&
         value = static_cast<T>(number);
 }
 
-/// Each camera, and each video, has a lens of its own.
+/// Returns the key of a setting that is stored for each camera and each video, because each has another lens.
 QString lensKeyOf(const QString& key, const HeadTrackingSettings& settings)
 {
     QString source = settings.video;
@@ -44,7 +44,7 @@ QString lensKeyOf(const QString& key, const HeadTrackingSettings& settings)
             if (camera.number == settings.camera && !camera.name.empty())
                 source = QString::fromStdString(camera.name);
     }
-    // A slash would make a group of the settings file.
+    // QSettings reads a slash as the separator of a group.
     return key + u'/' + source.replace(u'/', u'_').replace(u'\\', u'_');
 }
 

@@ -5,11 +5,12 @@
 
 namespace app {
 
-/// Settings of head tracking, as this computer stores them. A value that is missing or out of range is the default one.
+/// Returns the settings of head tracking that are stored on this computer. A value that is missing or out of range is
+/// replaced by the default value.
 [[nodiscard]] ui::devices::HeadTrackingSettings storedHeadTracking();
 void storeHeadTracking(const ui::devices::HeadTrackingSettings& settings);
 
-/// Gives the settings the field of view and the calibration that are stored for their camera or video.
+/// Sets the field of view and the calibration to the values that are stored for the camera or video of the settings.
 void recallLens(ui::devices::HeadTrackingSettings& settings);
 
 }  // namespace app

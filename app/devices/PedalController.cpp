@@ -76,7 +76,7 @@ void PedalController::connectPage()
     });
 }
 
-/// Tells the input which pedal it is, with its settings.
+/// Passes the chosen pedal and its settings to the input.
 void PedalController::choosePedal()
 {
     if (m_chosen.guid.isEmpty()) {
@@ -126,7 +126,7 @@ void PedalController::takeControllers(const std::vector<Controller>& controllers
     m_presses = std::move(now);
 }
 
-/// Decides whether the pedal runs the bur.
+/// Decides whether the pedal runs the bur, and switches the drill off after the pedal was unplugged.
 void PedalController::followPedal(const ControllerReport& report)
 {
     const bool works = report.pedal == PedalStage::Ready || report.pedal == PedalStage::WaitsForRest;
@@ -151,7 +151,7 @@ void PedalController::followPedal(const ControllerReport& report)
         m_bur.setPedal(runsBur ? &m_pedal : nullptr);
 }
 
-/// The input has stopped the bur already.
+/// Shows that the pedal was unplugged. The input has stopped the bur already; followPedal() switches the drill off.
 void PedalController::losePedal()
 {
     m_isLost = true;
@@ -206,7 +206,7 @@ void PedalController::pressButtons(const Controller& controller, const std::vect
     }
 }
 
-/// What grip buttons do, too, is for the practice room.
+/// Triggers the action of a button. Does nothing outside the practice room.
 void PedalController::press(ControllerAction action)
 {
     const ui::kit::Actions& actions = m_window.actions();
@@ -214,7 +214,7 @@ void PedalController::press(ControllerAction action)
         return;
     switch (action) {
     case ControllerAction::Drill:
-        return;  // the pedal's: it runs the bur while it is down
+        return;  // m_pedal handles this button, which runs the bur while it is down
     case ControllerAction::Undo:
         return actions.undo->trigger();
     case ControllerAction::Redo:
@@ -238,13 +238,14 @@ void PedalController::press(ControllerAction action)
         return;
     }
     case ControllerAction::Grade:
-        // Its questions have event loops of their own, in which this goes on.
+        // Grading may open a dialog with an event loop of its own, in which poll() is called again. So it must not
+        // start inside poll().
         QTimer::singleShot(0, actions.grade, &QAction::trigger);
         return;
     }
 }
 
-/// The buttons of a gamepad that the user does not teach.
+/// Handles the buttons of a gamepad with a fixed meaning: the arrows, A and Back.
 void PedalController::pressFixed(std::size_t button)
 {
     const auto step = [this](PadArrow arrow) {
@@ -275,7 +276,7 @@ void PedalController::pressFixed(std::size_t button)
     }
 }
 
-/// The first gamepad that is used moves the bur and the view.
+/// Moves the bur and the view with the first gamepad that is in use.
 void PedalController::steer(const std::vector<Controller>& controllers)
 {
     ui::tooth::PadInput input;
@@ -284,7 +285,7 @@ void PedalController::steer(const std::vector<Controller>& controllers)
         if (!controller.isGamepad)
             continue;
         ui::tooth::PadInput asked = ui::tooth::padInput(controller);
-        // A trigger that is down, or sticks, when its gamepad is plugged in presses nothing.
+        // A trigger that is down or stuck when its gamepad is plugged in has no effect until it is released.
         if (asked.press == 0.0 || m_restedPads.contains(controller.instance))
             rested.insert(controller.instance);
         else

@@ -18,19 +18,20 @@
 namespace app {
 
 /// Connects foot pedals and gamepads with the program: the chosen pedal runs the bur, a gamepad moves it, and buttons
-/// do what the user has taught them. Shows all of them on the page of devices and stores the settings. Ui thread.
+/// trigger the actions that the user has assigned to them. Shows all of them on the page of devices and saves the
+/// settings. Ui thread.
 ///
-/// When the chosen pedal is unplugged, the bur stops at once. Then the drill is switched off and the user is told; who
-/// switches it on again drills without the pedal.
+/// When the chosen pedal is unplugged, the bur stops at once. The controller then switches the drill off and shows a
+/// message. A user who switches the drill on again works without the pedal.
 class PedalController final : public QObject
 {
     Q_OBJECT
 
 public:
-    /// @param bur          outlives the controller
-    /// @param isSimulated  whether the simulated hand is in use, which no pedal stops
+    /// @param bur          must outlive the controller
+    /// @param isSimulated  returns whether the simulated hand is in use, which works without a pedal
     PedalController(ui::window::MainWindow& window, haptics::DeviceSwitch& bur, std::function<bool()> isSimulated);
-    /// No thread reads the switch any more.
+    /// Call it when no thread reads the switch any more.
     ~PedalController() override;
 
 private:
@@ -53,9 +54,9 @@ private:
     std::function<bool()> m_isSimulated;
     ChosenPedal m_chosen;
     std::map<QString, ui::devices::ControllerSettings>
-        m_settings;  ///< of each kind of controller that has been plugged in, by GUID
+        m_settings;  ///< settings of each kind of controller that has been plugged in, by GUID
     std::map<int, std::vector<std::uint32_t>>
-        m_presses;  ///< presses that have been handled, by instance of the controller
+        m_presses;  ///< presses of each button that have been handled, by instance of the controller
     haptics::FootPedal m_pedal;
     haptics::ControllerInput m_input;
     QTimer m_poll;
@@ -63,8 +64,8 @@ private:
     bool m_isLost = false;       ///< the chosen pedal was unplugged while it ran the bur
     bool m_mustStop = false;     ///< the drill has to be switched off because the pedal was unplugged
     bool m_hasStopped = false;   ///< the drill was switched off because the pedal was unplugged
-    int m_viewpoint = 0;         ///< viewpoint that a button showed last
-    std::set<int> m_restedPads;  ///< instances of the gamepads whose trigger has been seen released
+    int m_viewpoint = 0;         ///< index of the viewpoint that a button showed last
+    std::set<int> m_restedPads;  ///< instances of the gamepads whose trigger has been released since plugging in
 };
 
 }  // namespace app

@@ -17,7 +17,7 @@ using ui::tooth::ToothView;
 
 const QString kPenCurveKey = QStringLiteral("pen/curve");
 
-/// A stored value that is out of its range counts as the default.
+/// Returns the stored settings of the pen. A stored value out of range is replaced by the default value.
 PenSettings storedPen()
 {
     PenSettings settings;

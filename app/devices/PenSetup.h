@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// Connects the card of the pen with the view of the tooth, and stores the curve on this computer. Ui thread.
+/// Connects the card of the pen with the view of the tooth, and saves the pressure curve on this computer. Ui thread.
 void connectPen(ui::window::MainWindow& window);
 
 }  // namespace app

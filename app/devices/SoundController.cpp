@@ -90,7 +90,8 @@ void SoundController::turn(bool isOn)
     });
 }
 
-/// At the tooth the user is told once that an output which played is gone. The page shows it anyway.
+/// Shows a message, once, when an output that was playing has failed and the tooth is visible. The page of devices
+/// shows the state in any case.
 void SoundController::take(const SoundReport& report)
 {
     const bool isSilent = report.stage == SoundStage::NoOutput || report.stage == SoundStage::Refused;
@@ -115,7 +116,7 @@ void SoundController::take(const SoundReport& report)
     });
 }
 
-/// A drill that whines on behind other pages or programs helps nobody.
+/// Turns the sound off while another page covers the tooth or another program is active.
 void SoundController::watch()
 {
     const bool isHeard = m_window.view().isVisible() && !m_window.isMinimized() &&

@@ -23,7 +23,8 @@ public:
                     ui::sound::SoundPlayer::MakePort makePort);
     ~SoundController() override;
 
-    /// Plays another state from now on: that of a replay, or the servo's again. It outlives the controller, too.
+    /// Plays the sound of another state from now on: that of a replay, or again that of the servo.
+    /// @param sound  must outlive the controller
     void play(core::rt::TripleBuffer<core::audio::SoundState>& sound);
 
 private:
@@ -44,8 +45,8 @@ private:
     QThread m_thread;
     QTimer m_watch;
     bool m_isHeard = false;
-    bool m_hasPlayed = false;  ///< since the user was last told that it is silent
-    bool m_isTold = false;     ///< that it is silent
+    bool m_hasPlayed = false;  ///< sound has played since the last message that it does not
+    bool m_isTold = false;     ///< a message says that no sound plays
 };
 
 }  // namespace app

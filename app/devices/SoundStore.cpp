@@ -14,7 +14,7 @@ using ui::sound::SoundSettings;
 const QString kSoundOnKey = QStringLiteral("sound/on");
 const QString kOutputKey = QStringLiteral("sound/output");
 const QString kVolumeKey = QStringLiteral("sound/volume");
-/// In the order of core::audio::Part.
+/// The keys of the volumes, in the order of core::audio::Part.
 constexpr std::array<const char*, core::audio::kPartCount> kPartKeys{"sound/handpiece", "sound/cutting",
                                                                      "sound/contact", "sound/spray", "sound/suction"};
 

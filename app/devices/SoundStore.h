@@ -3,10 +3,10 @@
 
 #include "ui/sound/SoundSettings.h"
 
-/// The settings of sound, as they are stored from run to run.
+/// Saves the settings of sound on this computer.
 namespace app {
 
-/// A stored value that is out of its range counts as the default.
+/// Returns the stored settings. A stored value out of range is replaced by the default value.
 [[nodiscard]] ui::sound::SoundSettings storedSound();
 void storeSound(const ui::sound::SoundSettings& settings);
 

@@ -12,7 +12,8 @@ namespace {
 constexpr std::array kDeadly{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGHUP, SIGQUIT};
 constexpr std::size_t kStackBytes = 64 * 1024;
 
-/// With SA_RESETHAND the signal raised here has its usual effect as soon as this returns.
+/// Handles a signal: sets the forces to zero and raises the signal again. Because of SA_RESETHAND the signal then has
+/// its default effect, as soon as this returns.
 void stopForces(int signal)
 {
     haptics::falcon::letGoOfAll();
@@ -23,7 +24,7 @@ void stopForces(int signal)
 
 void stopForcesOnSignals()
 {
-    // A stack that has overflowed has no room for the handler.
+    // The handler needs a stack of its own, because the signal may come from a stack overflow.
     static std::array<char, kStackBytes> stack;
     stack_t own{};
     own.ss_sp = stack.data();

@@ -3,10 +3,11 @@
 
 namespace app {
 
-/// Makes a signal that ends the program (a crash, Ctrl+C, the end of the session) set the force of every device to zero
-/// first. Signals that somebody else handles already are left to them. Main thread, before a device is started.
+/// Installs handlers for the signals that end the program (a crash, Ctrl+C, the end of the session). They set the force
+/// of every device to zero first. Signals that already have another handler keep it. Call it in the main thread, before
+/// a device is started.
 ///
-/// Not covered: SIGKILL, which no program can handle, and a crash in the device's own thread.
+/// Does not cover SIGKILL, which no program can handle, and a crash in the device's own thread.
 void stopForcesOnSignals();
 
 }  // namespace app

@@ -23,33 +23,35 @@ struct PendingAttempt
     database::Login who;
     database::AttemptRecord record;
     core::recording::Recording recording;
-    std::uint64_t generation = 0;        ///< of the tooth that was graded; 0: none of the present ones
-    std::filesystem::path journal = {};  ///< file of the attempt until it is in the outbox; empty: none
+    std::uint64_t generation = 0;        ///< of the tooth that was graded; 0: not shown since the program started
+    std::filesystem::path journal = {};  ///< file that stores the attempt until it is in the outbox; empty: none
 };
 
-/// Graded attempts that are not in the outbox yet. If the disk refuses one, it is tried again every five seconds, also
-/// when another user is logged in: there may be room. Ui thread.
+/// Writes graded attempts to the outbox. If an attempt cannot be written, because the disk is full for example, tries
+/// again every five seconds, also when another user is logged in. Ui thread.
 class AttemptUploader final : public QObject
 {
     Q_OBJECT
 
 public:
-    /// @param desk  outlives this
+    /// @param desk  must outlive this object
     explicit AttemptUploader(SchoolService& desk);
 
-    /// Writes an attempt to the outbox. Emits kept(), or refused() each time the disk refuses it. An attempt that is
-    /// here already is not added again.
+    /// Writes an attempt to the outbox. Emits kept() when the attempt is written, and refused() each time it cannot be
+    /// written. Does nothing if the attempt is still waiting from an earlier call.
     void send(const std::shared_ptr<const PendingAttempt>& letter);
-    /// Sends the beginning of an exam, again and again as long as the disk refuses it.
+    /// Writes the start of an exam to the outbox. Repeats this until it succeeds.
     void send(const database::Login& who, const database::ExamStart& start);
+    /// Returns the number of attempts that are not in the outbox yet.
     [[nodiscard]] int count() const { return static_cast<int>(m_waiting.size()); }
     [[nodiscard]] bool hasAnyOf(const database::Login& who) const;
     [[nodiscard]] std::set<std::filesystem::path> journals() const;
 
 signals:
-    /// Emitted when an attempt is in the outbox, or was refused.
-    /// @param isAgain  the attempt had been refused before
+    /// Emitted when an attempt has been written to the outbox.
+    /// @param isAgain  whether an earlier try failed
     void kept(const app::PendingAttempt& letter, bool isAgain);
+    /// Emitted when an attempt could not be written. The next try follows in five seconds.
     void refused(const app::PendingAttempt& letter, bool isAgain, const core::Error& why);
 
 private:

@@ -12,22 +12,22 @@
 
 namespace app {
 
-/// Makes the backup of the day, while the program is used: after the database was opened, and every hour while the
-/// window stays open. A backup that failed is tried again an hour later. Ui thread.
+/// Makes one backup a day while the program runs. Checks when the database has been opened and then every hour whether
+/// today's backup is due, so a failed backup is tried again after an hour. Ui thread.
 class BackupSchedule final : public QObject
 {
     Q_OBJECT
 
 public:
-    /// @param service        outlives this
-    /// @param stationFolder  of this computer's own files
+    /// @param service        must outlive this object
+    /// @param stationFolder  folder with this computer's own files
     BackupSchedule(SchoolService& service, database::Address address, QString stationFolder);
-    /// Stops a backup that is being made.
+    /// Cancels a running backup.
     ~BackupSchedule() override;
 
     /// Starts the schedule, and makes today's backup if it is due.
     void start();
-    /// Sets whether the school has no users yet: then there is nothing to back up.
+    /// Sets whether the school has no users yet. If so, no backups are made.
     void setEmpty(bool isEmpty) { m_isEmpty = isEmpty; }
 
 signals:
@@ -42,7 +42,7 @@ private:
     QString m_stationFolder;
     QTimer m_timer{this};
     bool m_isEmpty = false;
-    bool m_isRunning = false;  ///< a slow disk may take long
+    bool m_isRunning = false;  ///< a backup is being made, which may take long on a slow disk
     std::shared_ptr<std::atomic<bool>> m_isStopped = std::make_shared<std::atomic<bool>>(false);
 };
 

@@ -12,15 +12,15 @@
 namespace app {
 namespace {
 
-/// Makes a backup, and then removes the sent attempts from the outbox that the backup holds.
-/// @param backUp  makes a backup in this folder and returns its file
+/// Makes a backup, and then removes the attempts that the backup contains from the outbox.
+/// @param backUp  takes a folder, makes a backup in it and returns the path of the backup
 template <class BackUp>
 core::Result<QString> withOutbox(const database::StationKey& key, const database::Address& address,
                                  const QString& stationFolder, BackUp backUp)
 {
     const database::Outbox outbox(QDir(stationFolder).filePath(QStringLiteral("outbox")), key,
                                   database::Outbox::schoolAt(address, stationFolder));
-    const QStringList sent = outbox.arrived();  // attempts that are sent from now on may be too late for the backup
+    const QStringList sent = outbox.arrived();  // first: the backup may lack attempts that arrive while it is made
     auto made = backUp(database::sql::backupFolder(address.file));
     if (made)
         for (const QString& attempt : sent)

@@ -60,7 +60,7 @@ void tidyGradedMarks(const std::filesystem::path& folder)
             continue;
         journal.replace_extension();
         std::filesystem::path part = journal;
-        part += ".part";  // where it stands until the disk has it
+        part += ".part";  // the name of a journal until its first sync to the disk
         std::error_code gone;
         if (!std::filesystem::exists(journal, gone) && !std::filesystem::exists(part, gone))
             removeGradedMark(journal);

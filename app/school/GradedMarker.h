@@ -8,22 +8,21 @@
 
 namespace app {
 
-/// A file beside the journal of an attempt that was graded and is not in the outbox yet. If the program is killed then,
-/// the next start finds that the work in the journal was graded.
+/// The content of a file beside the journal of an attempt that was graded but is not in the outbox yet. If the program
+/// is killed before that, the next start finds in this file that the work in the journal was graded.
 struct GradedMarker
 {
-    std::string uid;                         ///< of the attempt
-    std::uint64_t events = 0;                ///< of the recording, when it was graded
+    std::string uid;                         ///< uid of the attempt
+    std::uint64_t events = 0;                ///< number of events in the recording when it was graded
     std::optional<int> expectedTenths = {};  ///< the score that the student predicted, in tenths of a point
 };
 
-/// Writes the marker of a journal, in place of an earlier one; it stays on the disk when the program is killed. If it
-/// cannot be written, there is none.
+/// Writes the marker of a journal, and replaces an earlier one. Does not report an error if the file cannot be written.
 void markGraded(const std::filesystem::path& journal, const GradedMarker& mark);
-/// Empty: there is no marker.
+/// Returns the marker of a journal, or nullopt if it has none.
 [[nodiscard]] std::optional<GradedMarker> gradedMark(const std::filesystem::path& journal);
 void removeGradedMark(const std::filesystem::path& journal);
-/// Removes the markers in a folder whose journals are gone.
+/// Removes the markers in a folder that have no journal any more.
 void tidyGradedMarks(const std::filesystem::path& folder);
 
 }  // namespace app

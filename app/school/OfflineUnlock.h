@@ -8,9 +8,9 @@
 
 namespace app {
 
-/// Decides whether a user who locked the window may unlock it while the database cannot be reached: by the hash of the
-/// password that they logged in with. After three wrong passwords the wait before the next one doubles each time, as in
-/// the database. Ui thread.
+/// Holds the hash of the password with which the user logged in, so that they can unlock the window while the database
+/// cannot be reached. After kFreeTries wrong passwords the wait before the next try doubles with each wrong password,
+/// as it does in the database. Ui thread.
 class OfflineUnlock
 {
 public:
@@ -18,19 +18,19 @@ public:
     static constexpr int kFreeTries = 3;
     static constexpr int kMostDoublings = 10;
 
-    /// @param now  for tests
+    /// @param now  the clock, which tests replace
     explicit OfflineUnlock(std::function<TimePoint()> now = std::chrono::steady_clock::now) : m_now(std::move(now)) {}
 
-    /// Sets the hash of the user's password; empty: they cannot unlock without the database.
+    /// Sets the hash of the user's password. If it is empty, the user cannot unlock without the database.
     void setHash(const std::string& hash) { m_hash = hash; }
     [[nodiscard]] const std::string& hash() const { return m_hash; }
     [[nodiscard]] bool isPossible() const { return !m_hash.empty(); }
 
-    /// Returns how long the next try has to wait, rounded up; zero if it may be made now.
+    /// Returns the time until the next try is allowed, rounded up; zero if it is allowed now.
     [[nodiscard]] std::chrono::seconds wait() const;
     /// Counts a wrong password.
     void reject();
-    /// Forgets wrong passwords: the user is in, or another one is.
+    /// Resets the number of wrong passwords, after the user has unlocked the window or another user has logged in.
     void resetTries();
 
 private:

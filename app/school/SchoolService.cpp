@@ -22,16 +22,16 @@ namespace {
 using core::ErrorCode;
 using database::sql::DatabaseContext;
 
-constexpr int kPatienceMs = 5000;  ///< until unanswered() is emitted
+constexpr int kPatienceMs = 5000;  ///< time without an answer after which unanswered() is emitted
 
-/// Whether the same request may succeed later.
+/// Returns whether a request that failed with this error may succeed later.
 bool mayComeBack(ErrorCode code)
 {
     return code == ErrorCode::ConnectionLost || code == ErrorCode::OutcomeUnknown || code == ErrorCode::ServerRefuses ||
            code == ErrorCode::Busy || code == ErrorCode::FileMissing;
 }
 
-/// Whether the file is damaged, so that it need not be tried again.
+/// Returns whether this error means that the database file is damaged, so that opening it again is useless.
 bool isDamage(ErrorCode code)
 {
     return code == ErrorCode::BadStructure || code == ErrorCode::WrongKind;
@@ -78,7 +78,7 @@ SchoolService::SchoolService(database::Address address, QString folder, database
 
 SchoolService::~SchoolService()
 {
-    // After all requests, and on the thread that opened the database.
+    // The database must be closed after all requests, and on the thread that opened it.
     post([this] {
         m_school.reset();
         m_database.reset();
@@ -227,7 +227,7 @@ void SchoolService::takeOtherSchool()
     });
 }
 
-/// Opens the database, or opens it again if it was away or could not be written.
+/// Opens the database, or opens it again if the connection was lost or a read-only file has become writable.
 core::Status SchoolService::connect()
 {
     if (!m_database)
@@ -244,7 +244,8 @@ core::Status SchoolService::connect()
         m_database.reset();
         return openDatabase();
     }
-    // The request has not been sent, so nothing can happen twice: a server that was restarted is not reported.
+    // Reconnecting is safe: the request has not been sent yet, so it cannot run twice. The user need not know that the
+    // server was restarted.
     if (std::exchange(m_isLost, false) || !m_database->answers()) {
         if (auto again = m_database->reconnect(); !again) {
             m_isLost = true;
@@ -255,7 +256,7 @@ core::Status SchoolService::connect()
             m_database.reset();
             return same;
         }
-        m_undeliverable.clear();  // it may know the people by now
+        m_undeliverable.clear();  // the database may contain their users by now
         m_school->nowUtc = database::sql::clockOf(m_database->handle());
     }
     return {};
@@ -268,7 +269,7 @@ void SchoolService::notice(const core::Error& error)
         QMetaObject::invokeMethod(
             this, [this] { emit disabled(); }, Qt::QueuedConnection);
     if (error.code == ErrorCode::OtherSchool &&
-        m_database) {  // the connection has created a database where the old one had disappeared
+        m_database) {  // the open database is a new one, created where the old one had disappeared
         m_school.reset();
         m_database.reset();
         QMetaObject::invokeMethod(
@@ -303,7 +304,7 @@ void SchoolService::open(QObject* owner, const Opened& done)
     post([this, guard = QPointer<QObject>(owner), done] {
         const Opening opening = tryToOpen();
         answer(guard, done, opening);
-        // Otherwise the timer tries again.
+        // If opening failed, m_retry delivers later.
         if (opening.status)
             deliverAll();
     });
@@ -315,7 +316,7 @@ core::Status SchoolService::mayRestore(const database::Login& session)
         return core::unexpected(ErrorCode::Busy,
                                 "database " + m_address.file.toStdString() +
                                     ": a backup or a check of it goes on; try again when it has ended");
-    // If the file is damaged, missing or empty, everybody may restore it: everybody can replace the file by hand.
+    // Everybody may restore a file that is damaged, missing or empty, because everybody can replace it by hand.
     if (!connect() || database::sql::Logins::isNew(*m_school).value_or(true))
         return {};
     return database::sql::mayRestore(*m_school, session);
@@ -334,11 +335,11 @@ void SchoolService::restore(QObject* owner, const database::Login& session, cons
         m_database.reset();
         m_undeliverable.clear();
         m_forOthers.clear();
-        // First: if the restore is interrupted, the attempts are sent at the next start.
+        // This comes first, so that the next start sends the attempts if the restore is interrupted.
         database::Outbox(outboxFolder(), m_key.value_or(database::StationKey::make()),
                          database::Outbox::schoolAt(m_address, m_folder))
             .sendAgain();
-        m_known.clear();  // a backup may be of the school that this one was copied from
+        m_known.clear();  // the id may change: the backup may be of the school that this one was copied from
         const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
         Opening opening = tryToOpen();
         opening.replaced = replaced.value_or(QString());
@@ -380,7 +381,7 @@ core::Status SchoolService::putInto(const std::function<core::Status(database::O
 {
     core::Status status;
     if (!m_key)
-        status = connect();  // which reads the key, even without a server
+        status = connect();  // reads the key, even if the server cannot be reached
     return m_key ? put(outbox()) : status;
 }
 
@@ -417,7 +418,7 @@ void SchoolService::takeAnswer(const std::optional<core::ErrorCode>& fault)
         emit answered();
 }
 
-/// Delivers the outbox, and emits isBack() if the school was away and can be reached again.
+/// Delivers the outbox. Emits isBack() if the database could not be reached before and can be reached now.
 void SchoolService::tryAgain()
 {
     deliver();
@@ -452,14 +453,14 @@ void SchoolService::deliver()
 
 void SchoolService::deliverAll()
 {
-    // A damaged file is not tried again: checking it takes long.
+    // A damaged file is not opened again, because checking it takes long.
     if (!m_key || (!m_database && m_isDamaged))
         return;
     const database::Outbox letters = outbox();
     const int before = static_cast<int>(m_undeliverable.size());
     const int beforeForOthers = static_cast<int>(m_forOthers.size());
-    // Entries that have failed come last, the latest failure at the end: one entry may always exceed a limit of the
-    // server.
+    // Entries that have failed come last, the latest failure at the end. Otherwise an entry that always fails, because
+    // it exceeds a limit of the server for example, would block all others.
     QStringList files = letters.waiting();
     std::stable_sort(files.begin(), files.end(), [this](const QString& one, const QString& other) {
         return m_hasFailed.value(one) < m_hasFailed.value(other);
@@ -489,14 +490,14 @@ void SchoolService::deliverAll()
                 QMetaObject::invokeMethod(
                     this, [this, uid = QString::fromStdString(letter->attempt)] { emit delivered(uid); },
                     Qt::QueuedConnection);
-            // The administrator of a server makes its backups.
+            // Cusp makes no backups of a server, so a delivered entry need not wait for one.
             if (m_address.isServer())
                 letters.remove(file);
             else
                 letters.keepArrived(file);
         } else if (done.error().code == ErrorCode::UnknownName || done.error().code == ErrorCode::OutOfRange) {
-            // One computer may serve several schools from one folder, and an administrator may repair a server. The
-            // entries behind this one do not wait for it.
+            // The entry may belong to another school that this computer serves from the same folder, or an
+            // administrator may repair the server. The entries after it are delivered meanwhile.
             m_undeliverable.insert(file);
         } else {
             m_hasFailed.insert(file, ++m_failures);

@@ -26,18 +26,19 @@
 
 namespace app {
 
-/// An entry of the outbox that was read.
+/// An entry of the outbox, ready to be written to the database.
 struct LetterDelivery
 {
-    std::string attempt;  ///< uid of the attempt; empty: the entry says that an exam has begun
-    QString school;       ///< the school it is for, as Outbox::schoolAt() names it; empty: unknown
+    std::string attempt;  ///< uid of the attempt; empty: the entry is the start of an exam
+    QString school;       ///< the school that it belongs to, as Outbox::schoolAt() identifies it; empty: unknown
     std::function<core::Status(const database::sql::DatabaseContext&)> deliver;
 };
+/// Reads an entry of the outbox. Errors: see Outbox::read().
 [[nodiscard]] core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const QString& file);
 
-/// The connection to a school's database, on a thread of its own: the window does not wait for a slow server, a
-/// sleeping disk or the hashing of a password. Requests are done in their order, and results come back on the ui
-/// thread.
+/// Holds the connection to the database of a school, on a thread of its own, so that the window does not wait for a
+/// slow server, a sleeping disk or the hashing of a password. Runs requests in the order of the calls and passes their
+/// results back on the ui thread.
 class SchoolService final : public QObject, public SchoolAccess
 {
     Q_OBJECT
@@ -45,9 +46,9 @@ class SchoolService final : public QObject, public SchoolAccess
 public:
     static constexpr std::chrono::seconds kRetry{10};
 
-    /// @param address  of the database; open() opens it
-    /// @param folder  for this station's own files: its key and its outbox
-    /// @param options  for tests
+    /// @param address  address of the database, which open() opens
+    /// @param folder  folder with this computer's own files: its key and its outbox
+    /// @param options  changed only by tests
     /// @param retry  the time after which a failed request is repeated
     SchoolService(database::Address address, QString folder, database::sql::Database::Options options = {},
                   std::chrono::milliseconds retry = kRetry);
@@ -57,23 +58,23 @@ public:
     struct Opening
     {
         core::Status status;
-        bool isNew = false;     ///< the school has no people yet
-        std::string notice;     ///< a remark of the database for the user
-        QString soundBackup;    ///< the newest backup that can replace a damaged or missing file; empty: there is none
+        bool isNew = false;     ///< the school has no users yet
+        std::string notice;     ///< a remark for the administrator, see Database::notice(); empty: none
+        QString soundBackup;    ///< newest verified backup that can replace a damaged or new file; empty: none
         core::Status restored;  ///< whether restore() replaced the file; `status` says whether the database is open now
-        QString replaced;       ///< after restore(): the new place of the old file; empty: there was none
+        QString replaced;       ///< after restore(): the new path of the old file; empty: there was no file
     };
     using Opened = std::function<void(const Opening&)>;
-    /// May be called again after a failure.
+    /// Opens the database and passes the result to `done`. May be called again after a failure.
     void open(QObject* owner, const Opened& done);
-    /// Replaces the file by a backup and opens it. Attempts of this station that were delivered after the backup was
-    /// made are delivered again. While a school is open, admins only.
+    /// Replaces the database file by a backup and opens it. Delivers the attempts of this computer again that the
+    /// backup may not contain. NotAllowed: the school has users, and this user is no admin.
     void restore(QObject* owner, const database::Login& session, const QString& backup, const Opened& done);
 
     void expectAlone(QObject* owner, const database::Login& session,
                      const std::function<void(const core::Status&)>& done) override;
 
-    /// As ask() and askBeside(), for work on the database itself, such as a backup.
+    /// Do the same as ask() and askBeside(), for work on the database itself, such as a backup.
     /// @param work  takes `const database::sql::DatabaseContext&` and returns a core::Result or core::Status
     template <class Work, class Done>
     void askDatabase(QObject* owner, Work work, Done done)
@@ -86,12 +87,12 @@ public:
         runOnDatabaseBeside(jobOf<database::sql::DatabaseContext>(owner, std::move(work), std::move(done)));
     }
 
-    /// Writes a graded attempt to the outbox and passes to `kept` whether it is on the disk. delivered() is emitted
-    /// when the database has it, perhaps much later.
+    /// Writes a graded attempt to the outbox, and then passes success or the error to `kept`. Emits delivered() when
+    /// the attempt is in the database, which may be much later.
     void keep(QObject* owner, const database::Login& session, const database::AttemptRecord& attempt,
               const core::recording::Recording& recording, const std::function<void(const core::Status&)>& kept);
 
-    /// The same for an exam that has begun.
+    /// Writes the start of an exam to the outbox, and then passes success or the error to `kept`.
     void keep(QObject* owner, const database::Login& session, const database::ExamStart& start,
               const std::function<void(const core::Status&)>& kept);
 
@@ -99,51 +100,57 @@ public:
 
     [[nodiscard]] int retryMs() const override { return m_retry.interval(); }
 
-    /// Tries to deliver the outbox.
+    /// Tries to write all entries of the outbox to the database.
     void deliver();
 
-    /// After otherSchool(), when nobody is logged in any more: allows to open the school that is there now.
+    /// Allows open() to open the school that has replaced this one. Call it after otherSchool(), when the user has been
+    /// logged out.
     void takeOtherSchool();
 
 signals:
-    /// Emitted when the database has this attempt.
+    /// Emitted when an attempt has been written to the database.
     void delivered(const QString& uid);
-    /// Emitted when an attempt in the outbox is damaged; its file is kept.
+    /// Emitted when an entry of the outbox is damaged. Its file is moved to the folder "damaged".
     void damaged(const core::Error& error);
-    /// Emitted when the account of the user who asked has been disabled since the login.
+    /// Emitted when a request failed because the account of the user has been disabled since the login.
     void disabled();
     /// Emitted when a request was not allowed: the role of the user may have changed since the login.
     void refused();
-    /// Emitted when the file of another school has replaced the file of this one; it is not opened.
+    /// Emitted when the database of another school has replaced the database of this one. The new one is not opened.
     void otherSchool();
-    /// Emitted when so many attempts cannot be delivered to this school or with this station's key. They wait.
+    /// Emitted when more entries of the outbox than before cannot be delivered: the database does not know their user,
+    /// or they are signed with the key of another computer. They stay in the outbox.
+    /// @param count  the number of all such entries
     void waitOn(int count);
-    /// Emitted when so many attempts in the outbox are for other schools. They wait.
-    /// @param schools  as Outbox::schoolAt() names them
+    /// Emitted when the outbox contains more entries of other schools than before. They stay in the outbox.
+    /// @param count    the number of all such entries
+    /// @param schools  the other schools as Outbox::schoolAt() identifies them, separated by commas
     void waitForOthers(int count, const QString& schools);
-    /// Emitted when a request has had no answer for 5 seconds: the server hangs, or another program holds the file.
+    /// Emitted when a request has had no answer for 5 seconds: the server hangs, or another program locks the file.
     void unanswered();
-    /// Emitted when a request was answered without an error.
+    /// Emitted when a request has succeeded.
     void answered();
-    /// Emitted when the school can be reached again after a request could not be answered.
+    /// Emitted when the database can be reached again after a request failed because it could not be reached.
     void isBack();
 
 private:
     using DatabaseJob = JobOn<database::sql::DatabaseContext>;
     void run(Job job) override;
     void runBeside(Job job) override;
-    /// On the school's thread, in the order of the calls.
+    /// Runs a request on the thread of the database, in the order of the calls.
     void runOnDatabase(DatabaseJob job);
-    /// On a connection and a thread of its own, if the file allows a second connection (not on a network drive).
+    /// Runs a request on another connection and another thread. If the file allows no second connection, because it is
+    /// on a network drive, does the same as runOnDatabase().
     void runOnDatabaseBeside(DatabaseJob job);
+    /// Converts a request for the repositories to a request for the database.
     [[nodiscard]] static DatabaseJob overRepositories(Job job);
-    /// On the ui thread.
+    /// Restarts or stops the timer of unanswered() and emits answered() on success. Ui thread.
     void takeAnswer(const std::optional<core::ErrorCode>& fault);
     void tryAgain();
-    /// Any thread.
+    /// Returns the key of this computer, and creates it if there is none. Any thread.
     [[nodiscard]] static core::Result<database::StationKey> keyOf(const QString& folder);
     void post(std::function<void()> job);
-    /// Gives a result to `done` on the ui thread, unless `owner` has gone meanwhile.
+    /// Passes a result to `done` on the ui thread. If `owner` is deleted before that, `done` is not called.
     template <class Done, class Value>
     void answer(const QPointer<QObject>& owner, const Done& done, const Value& value)
     {
@@ -155,7 +162,7 @@ private:
             },
             Qt::QueuedConnection);
     }
-    // The following functions run on the school's thread.
+    // The following functions run on the thread of the database.
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status openDatabase();
     [[nodiscard]] core::Status expectSameSchool(const QSqlDatabase& db);
@@ -172,28 +179,28 @@ private:
     database::Address m_address;
     QString m_folder;
     database::sql::Database::Options m_options;
-    /// The number of long requests that are running.
+    /// The number of requests that run on connections of their own.
     std::shared_ptr<std::atomic<int>> m_besides = std::make_shared<std::atomic<int>>(0);
     std::atomic<bool> m_allowsOthers = true;  ///< the file allows a second connection
     QThread m_thread;
-    QObject m_there;  ///< lives on m_thread
+    QObject m_there;  ///< lives on m_thread, so that post() can run functions there
     QTimer m_retry;
 
     std::unique_ptr<database::sql::Database> m_database;
     std::unique_ptr<database::sql::DatabaseContext> m_school;
-    std::string m_known;  ///< the school, as schoolOf() identifies it; empty: none yet
+    std::string m_known;  ///< id of the school that was opened first, see schoolOf(); empty: none yet
     std::optional<database::StationKey> m_key;
     QSet<QString> m_forOthers;  ///< entries of the outbox for other schools
     QSet<QString> m_otherSchools;
     QTimer m_patience{this};
     int m_asked = 0;                  ///< pending requests
-    bool m_wasAway = false;           ///< at the last request
+    bool m_wasAway = false;           ///< the database could not be reached at the last request
     QSet<QString> m_undeliverable;    ///< entries that cannot be delivered on this connection
     QHash<QString, int> m_hasFailed;  ///< entries that may be delivered later, with the number of their last failure
     int m_failures = 0;
-    bool m_isLost = false;
-    bool m_isDamaged = false;   ///< the file, when it was opened last
-    bool m_isReadOnly = false;  ///< the same
+    bool m_isLost = false;      ///< the connection broke and must be made again
+    bool m_isDamaged = false;   ///< the file was damaged when it was opened last
+    bool m_isReadOnly = false;  ///< the file was read-only when it was opened last
 };
 
 }  // namespace app

@@ -7,14 +7,14 @@ namespace app {
 
 class SchoolAccess;
 
-/// The user who works at this window, and the database of the school. Application owns the one object of it, and its
-/// controllers share it. Ui thread.
+/// The user who is logged in, and the access to the database of the school. Application owns the only object of this
+/// type and shares it with its controllers. Ui thread.
 struct SchoolSession
 {
     SchoolAccess* service = nullptr;  ///< null: there is no database, and nothing is saved
-    database::Login user;             ///< a guest until somebody logs in
+    database::Login user;             ///< a guest while no user is logged in
 
-    /// Whether somebody is logged in to a database.
+    /// Returns whether a user is logged in to a database.
     [[nodiscard]] bool isLoggedIn() const { return service != nullptr && !user.isGuest(); }
 };
 

@@ -5,13 +5,13 @@
 
 #include "database/SchoolSettings.h"
 
-/// Settings of a school for everybody.
+/// Settings that apply to all users of a school.
 namespace app {
 
 inline const std::string kIdleMinutes = "idle.minutes";
 inline constexpr int kUsualIdleMinutes = 10;
 
-/// After how many minutes without input a station is locked.
+/// Returns the number of minutes without input after which the window is locked.
 [[nodiscard]] int idleMinutesOf(const database::SettingsMap& settings);
 
 }  // namespace app

@@ -13,20 +13,20 @@
 
 namespace app {
 
-/// Asks a school in the name of the user who is logged in. An answer that arrives after another user has logged in is
-/// dropped. Ui thread.
+/// Sends requests to the database in the name of the user who is logged in. Discards a result that arrives after
+/// another user has logged in. Ui thread.
 class UserQueries
 {
 public:
-    /// @param school  outlives this
-    /// @param who     returns the present login
+    /// @param school  must outlive this object
+    /// @param who     returns the current login
     UserQueries(SchoolAccess& school, std::function<database::Login()> who) : m_school(school), m_who(std::move(who)) {}
 
     [[nodiscard]] database::Login who() const { return m_who(); }
     [[nodiscard]] SchoolAccess& school() const { return m_school; }
 
-    /// As SchoolAccess::ask().
-    /// @param work  takes `const database::Repositories&` and the `const database::Login&` who asks
+    /// Calls SchoolAccess::ask(), and calls `done` only if the same user is still logged in.
+    /// @param work  takes `const database::Repositories&` and the user's `const database::Login&`
     template <class Work, class Done>
     void ask(QObject* owner, Work work, Done done) const
     {
@@ -39,7 +39,7 @@ public:
             });
     }
 
-    /// Whether an instructor was refused: the student or the class is not theirs any more.
+    /// Returns whether an instructor was refused because the student or the class is not theirs any more.
     [[nodiscard]] bool hasLostAccess(const core::Error& error) const
     {
         return error.code == core::ErrorCode::NotAllowed && m_who().role() == database::Role::Instructor;

@@ -20,9 +20,9 @@
 namespace cli {
 
 /// Parses the arguments after the command's name, with --help added. Returns an exit code if the command is finished:
-/// help was printed, or the usage was wrong and was explained.
+/// it has printed help, or has explained wrong usage.
 /// @param usage  the line after "Usage: ", such as "cusp tooth FILE|FDI [OPTIONS]"
-/// @param repeatable  the option that may have several values, if there is one
+/// @param repeatable  the option that may be given several times, if there is one
 [[nodiscard]] std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments, const QString& usage,
                                        const QString& repeatable = {});
 
@@ -43,12 +43,12 @@ struct CommandPart
 /// @returns the exit status of the program
 int runPart(const QString& command, std::span<const CommandPart> parts, const QStringList& arguments);
 
-/// Adds --grid --unit --up --fdi --frame --seed --layers --caries --lies --tilt --site --extent: how a tooth is read or
-/// generated.
+/// Adds the options that determine how a tooth is read or generated: --grid --unit --up --fdi --frame --seed --layers
+/// --caries --lies --tilt --site --extent.
 void addToothOptions(QCommandLineParser& parser);
 
-/// Returns the values of these options, or an error about the first wrong one, for wrongUsage(). The number of a tooth
-/// that cannot be generated is also an error, and so are options for files with a generated tooth.
+/// Returns the values of these options, or an error about the first wrong one, for wrongUsage(). Also an error: the
+/// number of a tooth that cannot be generated, and options for files with a generated tooth.
 [[nodiscard]] core::Result<core::teeth::BuildOptions> toothOptions(const QCommandLineParser& parser,
                                                                    const core::teeth::ToothSource& source);
 
@@ -68,8 +68,8 @@ void addDeviceOption(QCommandLineParser& parser, const QStringList& ids);
 [[nodiscard]] core::Result<qint64> wholeNumber(const QCommandLineParser& parser, const QString& option, qint64 low,
                                                qint64 high);
 
-/// Prints an error and returns an exit code if an argument is not UTF-8: Qt would change the name, and there is no file
-/// with that.
+/// Prints an error and returns an exit code if an argument is not valid UTF-8. Qt would convert it to the name of
+/// another file.
 [[nodiscard]] std::optional<int> refuseOddNames(std::span<char* const> arguments);
 
 /// Replaces control characters by question marks: text from a file must not control a terminal.

@@ -43,7 +43,7 @@ core::Status takePreset(const QString& nameOrFile, core::servo::ServoSettings& s
     core::settings::FeelPreset preset;
     if (QFileInfo::exists(nameOrFile)) {
         const lessons::ReadPreset read = lessons::readPreset(nameOrFile);
-        // Without a missing figure the run would differ from the file.
+        // With a number missing in the file, the simulation would use one that is not in the file.
         if (!read.faults.empty())
             return core::unexpected(
                 core::ErrorCode::BadStructure,

@@ -16,31 +16,32 @@
 /// Functions for the commands that make or replay an attempt: the hardness option, and results as JSON.
 namespace cli {
 
-/// Sets the feel of a tooth: "natural" or "typodont", the file of a preset (lessons/PresetFile.h), or the name of a
-/// saved one. All keys of a file must be known.
+/// Applies a hardness preset: "natural" or "typodont", the file of a preset (lessons/PresetFile.h), or the name of a
+/// saved one. A file with faults, even with missing numbers, is an error.
 [[nodiscard]] core::Status takePreset(const QString& nameOrFile, core::servo::ServoSettings& settings);
 
-/// Returns the preset of an attempt: "natural v1 #1a2b3c4d", and whether it was changed meanwhile.
+/// Returns the label of an attempt's preset, "natural v1 #1a2b3c4d", and whether it was changed during the attempt.
 [[nodiscard]] QString presetText(const core::recording::Recording& recording);
 
 /// Returns the values of caries, enamel, dentin and pulp.
 [[nodiscard]] QJsonObject toJson(const core::terrain::PerMaterial& values);
-/// Returns every measure by its id, null if it was not measured, and the list of what a height map cannot show.
+/// Returns every measure by its id (null: not measured), and the list of aspects that a height map cannot represent.
 [[nodiscard]] QJsonObject toJson(const core::grading::Measured& measured);
-/// Returns each infraction with its rule, time and place.
+/// Returns all rule violations, each with its rule, time and place.
 [[nodiscard]] QJsonArray toJson(const std::vector<core::grading::Infraction>& infractions);
 [[nodiscard]] QJsonObject toJsonObject(const lessons::ScoreSheet& sheet);
 /// Returns p50, p99, p999 and max of tick times in microseconds.
 [[nodiscard]] QJsonObject toJson(const haptics::TickTimes& times);
-/// Returns sixteen hex digits.
+/// Returns a hash as sixteen hex digits.
 [[nodiscard]] QString hashText(std::uint64_t hash);
 
 /// Returns the score as text, one line per criterion.
 [[nodiscard]] QString toText(const lessons::ScoreSheet& sheet);
-/// Return the moments at which the points of each criterion were lost: as JSON by the criterion's id, or one line each.
+/// Return the moments at which the points of each criterion were lost: as JSON by the criterion's id, or as one line
+/// each.
 [[nodiscard]] QJsonObject toJson(const lessons::PointLossTimeline& moments);
 [[nodiscard]] QString toText(const lessons::PointLossTimeline& moments);
-/// Returns one line per infraction; empty if there are none.
+/// Returns one line per rule violation; empty if there are none.
 [[nodiscard]] QString toText(const std::vector<core::grading::Infraction>& infractions);
 
 }  // namespace cli

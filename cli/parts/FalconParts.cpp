@@ -27,7 +27,7 @@ QJsonObject rowOf(const haptics::falcon::FoundFalcon& falcon)
     return row;
 }
 
-/// Does the common part of probe, home and test: parses, opens the device and waits for a stage.
+/// Does the common part of probe, home and test: parses the options, opens the device and waits for a stage.
 core::Result<std::unique_ptr<FalconSession>> openedAt(DeviceStage stage, const QCommandLineParser& parser)
 {
     auto session = FalconSession::open(parser);

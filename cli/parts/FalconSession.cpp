@@ -20,7 +20,7 @@ constexpr qint64 kLongestWaitS = 3600;
 constexpr auto kPeriod = 1ms;
 constexpr auto kLook = 20ms;
 
-/// Returns what the user has to do at this stage; empty if there is no need.
+/// Returns what the user has to do at this stage; empty if they have to do nothing.
 QString toDo(const core::session::DeviceReport& report)
 {
     switch (report.stage) {
@@ -36,7 +36,7 @@ QString toDo(const core::session::DeviceReport& report)
     case DeviceStage::Ready:
         break;
     }
-    return QString::fromStdString(report.error.detail);  // a missing device: it is waited for
+    return QString::fromStdString(report.error.detail);  // the device is missing, and the command waits for it
 }
 
 std::string notReached(const core::session::DeviceReport& report, qint64 seconds)
@@ -81,7 +81,7 @@ core::Result<std::unique_ptr<FalconSession>> FalconSession::open(const QCommandL
     const auto calibration = file.isEmpty() ? app::stationsFalconCalibration(&why) : app::readFalconCalibration(file);
     if (!calibration)
         return tl::unexpected(calibration.error());
-    if (!why)  // `calibrate` measures it anew
+    if (!why)  // `calibrate` measures it again
         warn({why.error().detail + ". The usual values are used."});
     options.calibration = *calibration;
     std::unique_ptr<FalconSession> session(

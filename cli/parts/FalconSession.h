@@ -17,27 +17,26 @@ namespace cli {
 /// Adds --serial, --firmware, --calibration and --wait.
 void addFalconOptions(QCommandLineParser& parser);
 
-/// Calls parse(), and explains a wrong value of --wait.
+/// Calls parse(), and explains a wrong value of --wait. Returns as parse() does.
 [[nodiscard]] std::optional<int> parseFalcon(QCommandLineParser& parser, const QStringList& arguments,
                                              const QString& usage);
 
-/// A Falcon for the commands: opened with the options of the command line, and driven by this thread instead of the
-/// servo. Shows on stderr what it waits for.
+/// A Falcon for the commands, opened with the options of the command line. This thread drives it instead of the servo.
+/// Prints to stderr what it waits for.
 class FalconSession
 {
 public:
-    /// Opens the device. Errors: those of the calibration file.
+    /// Opens the device. Returns an error if the calibration file is not usable.
     [[nodiscard]] static core::Result<std::unique_ptr<FalconSession>> open(const QCommandLineParser& parser);
 
-    /// Waits until the device has reached a stage, or a later one. Errors: what the device reports when the time of
-    /// --wait is over, or at once if it is not usable.
+    /// Waits until the device has reached a stage, or a later one. Returns the error that the device reports when the
+    /// time of --wait is over, or at once if the device is not usable.
     [[nodiscard]] core::Status waitFor(core::session::DeviceStage stage);
 
-    /// Returns an error if the device is no longer at a stage or a later one.
+    /// Returns an error if the device has fallen back to an earlier stage.
     [[nodiscard]] core::Status stillAt(core::session::DeviceStage stage) const;
 
-    /// Acts as the servo for a time. Stops early if the function returns empty, the device is lost or the user presses
-    /// Ctrl+C.
+    /// Acts as the servo for a time. Ends early if `beat` returns empty, the device is lost or the user presses Ctrl+C.
     /// @param beat  receives the position, tooth frame, and the seconds since the last call; returns the force, N
     void play(std::chrono::milliseconds time,
               const std::function<std::optional<glm::dvec3>(const haptics::DeviceSample&, double)>& beat);

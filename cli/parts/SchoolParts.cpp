@@ -23,14 +23,14 @@ namespace {
 
 using core::ErrorCode;
 
-/// Returns the folder of the window's data, under the window's name.
+/// Returns the window's data folder, although the command has another application name.
 QString dataFolder()
 {
     return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)).filePath(QStringLiteral("cusp"));
 }
 
-/// Hides what is typed in a terminal while this object lives. If the program is stopped meanwhile, the terminal shows
-/// it again, and if the program continues, it is hidden again.
+/// Turns off the echo of a terminal while it exists. If the program is stopped meanwhile, the echo is on until the
+/// program continues.
 class HiddenTyping
 {
 public:
@@ -52,7 +52,7 @@ public:
 
 private:
     static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP};
-    static inline termios shown{};  ///< for a signal handler, which has no other data
+    static inline termios shown{};  ///< static, because the signal handler has no other access
 
     static void hide()
     {
@@ -60,7 +60,8 @@ private:
         hidden.c_lflag &= ~static_cast<tcflag_t>(ECHO);
         tcsetattr(STDIN_FILENO, TCSAFLUSH, &hidden);
     }
-    /// Sets a one-time handler, followed by the signal's usual effect. Returns the handler that was set before.
+    /// Sets a one-time handler that restores the echo before the usual effect of the signal. Returns the handler that
+    /// was set before.
     static struct sigaction catchIt(int signal)
     {
         struct sigaction ours
@@ -70,7 +71,7 @@ private:
         ours.sa_handler = &showAgain;
         ours.sa_flags = SA_RESTART | SA_RESETHAND | SA_NODEFER;
         sigaction(signal, &ours, &before);
-        // A program started to live on (nohup) ignores the signal on purpose.
+        // A signal that is ignored (nohup) stays ignored, so that the program survives it.
         if (before.sa_handler == SIG_IGN)
             sigaction(signal, &before, nullptr);
         return before;
@@ -79,7 +80,7 @@ private:
     {
         tcsetattr(STDIN_FILENO, TCSANOW, &shown);
         raise(signal);
-        // The program was halted, and continues.
+        // The program was stopped, and continues now.
         hide();
         catchIt(signal);
     }
@@ -149,7 +150,7 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     auto database = database::sql::Database::open(address, options);
     if (!database)
         return tl::unexpected(database.error());
-    // A backup that is read has no station.
+    // Only reading a backup does not need the key of a station.
     const QString keyFile = stationKeyOf(address);
     open.hasStationKey = how != Opening::ToLook || QFileInfo::exists(keyFile);
     auto key = open.hasStationKey ? database::StationKey::readOrMake(keyFile)
@@ -206,7 +207,7 @@ core::Result<std::string> askSecret(const char* question)
         std::fputc('\n', stderr);
     if (!isGiven)
         return core::unexpected(ErrorCode::FileEmpty, "no password was given, so nothing was done");
-    if (!line.empty() && line.back() == '\r')  // of a file written on Windows
+    if (!line.empty() && line.back() == '\r')  // the line is from a file written on Windows
         line.pop_back();
     return line;
 }

@@ -13,7 +13,7 @@ StopSignal::StopSignal()
     ours.sa_flags = SA_RESTART | SA_RESETHAND;
     for (std::size_t k = 0; k < kSignals.size(); ++k) {
         sigaction(kSignals[k], &ours, &m_knew[k]);
-        // A program started to live on (nohup) ignores the signal on purpose.
+        // A signal that is ignored (nohup) stays ignored, so that the program survives it.
         if (m_knew[k].sa_handler == SIG_IGN)
             sigaction(kSignals[k], &m_knew[k], nullptr);
     }
@@ -25,7 +25,7 @@ StopSignal::~StopSignal()
         sigaction(kSignals[k], &m_knew[k], nullptr);
     if (!hasCome())
         return;
-    std::fflush(nullptr);  // the signal may arrive after all work is done
+    std::fflush(nullptr);  // the signal may arrive after all work is done, with output still buffered
     std::raise(s_came);
 }
 

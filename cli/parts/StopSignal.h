@@ -6,10 +6,10 @@
 
 namespace cli {
 
-/// While it exists, a signal that ends the program (Ctrl-C, kill, a closed terminal) is only recorded, so that long
-/// work can stop in order and leave no partial results; a second signal ends the program at once. A recorded signal
-/// ends the program when this object is destroyed, so create it before all other objects that need cleanup. For one
-/// function at a time, on the main thread.
+/// Delays signals that end the program (Ctrl-C, kill, a closed terminal) while it exists, so that a long operation can
+/// stop in order and leave no partial results. A second signal ends the program at once. The destructor ends the
+/// program if a signal has arrived, so create this object before all others that need cleanup. Only one may exist at a
+/// time, in the main thread.
 class StopSignal
 {
 public:
@@ -23,7 +23,7 @@ public:
 
 private:
     static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
-    static inline volatile std::sig_atomic_t s_came = 0;  ///< static, because a signal handler has no other access
+    static inline volatile std::sig_atomic_t s_came = 0;  ///< static, because the signal handler has no other access
 
     std::array<struct sigaction, kSignals.size()> m_knew{};
 };

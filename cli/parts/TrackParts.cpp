@@ -29,8 +29,8 @@ using core::tracking::TrackerSettings;
 constexpr double kLookEveryS = 0.3;  ///< interval of searches for the board, in a camera or a video
 constexpr int kEnoughTags = 30;      ///< pictures with the tag, for a calibration by distance
 
-/// Passes pictures to `look` until it has enough, returns false, or the pictures end. An image that cannot be read is
-/// reported and skipped. Returns false if a signal ends the program.
+/// Passes pictures to `look` until it has enough, `look` returns false, or the pictures end. Reports and skips an image
+/// that cannot be read. Returns false if a signal ends the program.
 template <class Look>
 core::Result<bool> forEachPicture(PictureSource& source, qint64 most, Look&& look)
 {
@@ -54,7 +54,7 @@ core::Result<bool> forEachPicture(PictureSource& source, qint64 most, Look&& loo
     return !StopSignal::hasCome();
 }
 
-/// @param figures  additional ones of this kind of calibration
+/// @param figures  additional figures of this kind of calibration
 int writeAndSay(const CameraModel& camera, const CalibrationWish& wish, const QJsonObject& figures)
 {
     if (const auto sound = camera.check(); !sound)

@@ -10,7 +10,7 @@
 
 namespace cli {
 
-// Functions of `cusp track` besides tracking. Each returns an ExitCode.
+// Functions of `cusp track` other than tracking. Each returns an ExitCode.
 
 /// Writes the PDF with the tags, the headband and the board.
 int printTagSheet(const QString& file, int id);
@@ -22,10 +22,10 @@ struct CalibrationWish
     bool isJson = false;
 };
 
-/// Calibrates by pictures of the printed board.
+/// Calibrates a camera with pictures of the printed board.
 int calibrateByBoard(core::tracking::PictureSource& source, const CalibrationWish& wish);
 
-/// Calibrates the field of view by the tag at a known distance from the camera.
+/// Calibrates the field of view with the tag at a known distance from the camera.
 int calibrateByDistance(core::tracking::PictureSource& source, const core::tracking::TrackerSettings& settings,
                         double distanceMm, const CalibrationWish& wish);
 

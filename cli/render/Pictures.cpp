@@ -31,7 +31,7 @@ constexpr QRgb kRoomGrey = 0xFF1C1E20;
 constexpr QRgb kFilmGround = 0xFF0B0C0D;
 constexpr double kFilmMarginMm = 2.0;
 constexpr int kFilmGapPx = 12;
-constexpr std::uint64_t kGrain = 1;  ///< of the film: the same in every picture
+constexpr std::uint64_t kGrain = 1;  ///< seed of the film's grain: the same in every picture
 
 core::imaging::Beam beamOf(const core::terrain::ToothAnatomy& anatomy, const RenderWishes& wishes)
 {
@@ -40,7 +40,7 @@ core::imaging::Beam beamOf(const core::terrain::ToothAnatomy& anatomy, const Ren
     return core::imaging::laidBeam(anatomy.lying, beam);
 }
 
-/// Returns the upright cut through the bur, or through the middle of the tooth, on the room's dark grey.
+/// Returns the vertical section through the bur, or through the middle of the tooth, on the dark grey background.
 QImage sectionPicture(const RenderSubject& subject, double degrees, QSize size, ui::render::Palette palette)
 {
     QImage picture(size, QImage::Format_RGB32);
@@ -62,7 +62,7 @@ QImage sectionPicture(const RenderSubject& subject, double degrees, QSize size, 
     return picture;
 }
 
-/// Returns the whole shadow of the tooth. Its film fills the picture, or half of it beside a film of the uncut tooth.
+/// Returns a radiograph of the whole tooth. Its film fills the picture, or half of it beside a film of the uncut tooth.
 QImage xrayPicture(const core::terrain::Tooth& tooth, const RenderWishes& wishes, QSize size)
 {
     const core::imaging::Beam beam = beamOf(*tooth.anatomy, wishes);
@@ -91,8 +91,8 @@ QImage xrayPicture(const core::terrain::Tooth& tooth, const RenderWishes& wishes
     return both;
 }
 
-/// Returns the crown between its neighbours, as wide as fits; no higher, or roots would appear that a bitewing does not
-/// show.
+/// Returns a bitewing of the crown between its neighbours, as wide as fits. Its height is limited, because a bitewing
+/// does not show the roots.
 core::Result<QImage> bitewingPicture(const core::terrain::Tooth& tooth, const RenderWishes& wishes, QSize size)
 {
     const auto neighbours = core::imaging::neighboursOf(*tooth.anatomy);
@@ -116,7 +116,7 @@ core::Result<QImage> bitewingPicture(const core::terrain::Tooth& tooth, const Re
     return picture;
 }
 
-/// Paints what the window paints over its picture.
+/// Paints the marks that the window paints over its picture.
 void paintMarks(QImage& picture, const RenderSubject& subject, const RenderWishes& wishes,
                 const ui::tooth::Camera& camera)
 {
@@ -138,7 +138,7 @@ void paintMarks(QImage& picture, const RenderSubject& subject, const RenderWishe
         ui::tooth::paintDepthScale(painter, picture.size(), wishes.look, wishes.presentation);
 }
 
-/// Returns the picture of the tooth in space.
+/// Returns the three-dimensional picture of the tooth.
 core::Result<QImage> toothPicture(const RenderSubject& subject, const RenderWishes& wishes, const QString& view,
                                   QSize size)
 {

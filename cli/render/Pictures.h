@@ -15,8 +15,8 @@
 
 namespace cli {
 
-/// The subject of a picture: a tooth whole, prepared, or as an attempt left it, with the bur at that time, and the
-/// ideal.
+/// The subject of a picture: a whole tooth, a prepared one, or the result of an attempt with the bur at its end; and
+/// the ideal.
 struct RenderSubject
 {
     core::terrain::Tooth tooth;
@@ -24,7 +24,7 @@ struct RenderSubject
     core::grading::IdealTop ideal;  ///< null: no ideal
 };
 
-/// Renders a tooth as requested, for all kinds of pictures but the mouth. Needs a display.
+/// Renders a tooth as requested, for all kinds of pictures except the whole mouth. Needs a display.
 /// @param view  as for ui::tooth::goTo()
 [[nodiscard]] core::Result<QImage> rendered(const RenderSubject& subject, const RenderWishes& wishes,
                                             const QString& view, QSize size);
@@ -33,7 +33,7 @@ struct RenderSubject
 /// @param chosenFdi  this tooth is tinted; 0: none
 [[nodiscard]] core::Result<QImage> renderedArch(int chosenFdi, QSize size);
 
-/// Writes a PNG file. An existing file is unchanged on failure.
+/// Writes a PNG file. If that fails, an existing file is unchanged.
 [[nodiscard]] core::Status savePng(const QImage& picture, const QString& file);
 
 }  // namespace cli

@@ -9,7 +9,7 @@
 namespace cli {
 namespace {
 
-/// Returns the kind of picture that is requested, if the other options go with it.
+/// Returns the requested kind of picture, or an error if other options do not apply to it.
 core::Result<Picture> kindOf(const QCommandLineParser& parser)
 {
     QStringList asked;

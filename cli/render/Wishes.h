@@ -15,7 +15,7 @@ namespace cli {
 /// The subject of the picture.
 enum class Picture : std::uint8_t { Tooth, Section, Xray, Bitewing, Arch };
 
-/// The options for picture, look and presentation.
+/// The values of all options of a picture.
 struct RenderWishes
 {
     Picture kind = Picture::Tooth;
@@ -25,7 +25,7 @@ struct RenderWishes
     bool mirror = false;
     bool neighbours = false;
     bool gizmo = false;
-    bool hand = false;      ///< shown faintly, with an arrow to it if it is outside the picture
+    bool hand = false;      ///< the hand is shown faintly, with an arrow to it if it is outside the picture
     bool leftHand = false;  ///< the handpiece is in the left hand
     double beamDeg = 0.0;   ///< angle of the beam of an X-ray picture, from perpendicular
     double exposure = 1.0;

@@ -9,7 +9,7 @@ constexpr double kEnamelToS = 2.4;
 constexpr double kDentinFromS = 2.8;
 constexpr double kDentinToS = 4.0;
 constexpr double kStopS = 4.4;
-// A 330 bur at 1 N cuts like this.
+// The sound of a 330 bur that cuts with 1 N.
 constexpr float kLoadedShare = 0.85F;
 constexpr float kEnamelMm3PerS = 0.4F;
 constexpr float kDentinMm3PerS = 1.6F;

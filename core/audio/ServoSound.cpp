@@ -10,10 +10,10 @@
 namespace core::audio {
 namespace {
 
-constexpr double kCutS = 0.006;             ///< over which the removal rate is averaged
-constexpr double kRoughS = 0.03;            ///< the same for the roughness of the force
-constexpr double kSpeedS = 0.005;           ///< the same for the speed of the hand
-constexpr double kBetweenContactsS = 0.02;  ///< a bur that skips over the ground makes no new contact
+constexpr double kCutS = 0.006;             ///< time over which the removal rate is averaged
+constexpr double kRoughS = 0.03;            ///< time over which the roughness of the force is averaged
+constexpr double kSpeedS = 0.005;           ///< time over which the speed of the hand is averaged
+constexpr double kBetweenContactsS = 0.02;  ///< a bur that skips over the ground for less time makes no new contact
 constexpr double kQuietN = 0.02;            ///< roughness of the force in a steady cut
 constexpr double kFullChatterN = 0.2;
 
@@ -38,7 +38,7 @@ SoundState ServoSound::update(const servo::ServoState& state, const settings::Ha
     m_sound.suction = m_sound.turns;
     m_sound.spray = m_sound.turns && m_sound.drive != Drive::LowSpeed;
 
-    // Breaking off makes no sound of grinding.
+    // Tissue that breaks off makes no sound of grinding.
     const double removed = std::accumulate(state.removedMm3.begin(), state.removedMm3.end(), 0.0) -
                            std::accumulate(state.brokenMm3.begin(), state.brokenMm3.end(), 0.0);
     const double rate = std::max(0.0, removed - m_removedMm3) / seconds;
@@ -58,7 +58,8 @@ SoundState ServoSound::update(const servo::ServoState& state, const settings::Ha
     m_speedMmPerS += shareOfMean(seconds, kSpeedS) * (speed - m_speedMmPerS);
     m_sound.isTouching = state.touching;
 
-    // A steady or steadily growing force has no second difference. An edge that catches and lets go has one.
+    // The second difference of the force is zero while it is constant or grows steadily. It is large when an edge
+    // catches and slips.
     const double newtons = glm::length(state.forceN);
     const double step = newtons - m_lastN;
     const double roughN = state.touching && m_sound.turns ? std::abs(step - m_lastStepN) : 0.0;

@@ -25,8 +25,8 @@ constexpr double kClickDecayS = 0.008;
 constexpr double kClickAttackS = 0.0012;
 constexpr double kWobbleS = 0.01;
 
-/// Frequency of each line over the fundamental: the shaft of a motor with a 1:5 gear, the bur and its harmonics, and
-/// the mesh of a gear with twelve teeth.
+/// Frequency of each line as a multiple of the fundamental: the shaft of a motor with a 1:5 gear, the bur and its
+/// harmonics, and the meshing of a gear with twelve teeth.
 constexpr std::array<double, 5> kLineRatios{0.2, 1.0, 2.0, 3.0, 12.0};
 /// Level of each line for each drive. The bur is the loudest line of every drive.
 constexpr std::array<std::array<float, 5>, kDriveCount> kLineLevels{
@@ -39,21 +39,21 @@ struct CutNoise
     double centreHz;
     double sharpness;
     float level;
-    float mm3PerS;  ///< removed by about 1 N: as loud as `level`
+    float mm3PerS;  ///< volume that about 1 N removes; it sounds with `level`
     float clickHz;
 };
 constexpr std::array<CutNoise, terrain::kMaterialCount> kCutNoises{{{900.0, 0.9, 0.6F, 4.0F, 900.0F},
                                                                     {7'200.0, 2.5, 1.0F, 0.4F, 3'200.0F},
                                                                     {2'300.0, 1.2, 0.9F, 1.6F, 1'700.0F},
                                                                     {500.0, 0.8, 0.4F, 4.0F, 600.0F}}};
-/// A bur that turns on the tooth without removing anything still rubs.
+/// Level of the rubbing of a bur that turns on the tooth without removing anything.
 constexpr float kRub = 0.12F;
 constexpr float kLoudestCut = 1.6F;
 constexpr double kChatterHz = 55.0;
 constexpr float kFastContactMmPerS = 20.0F;
 constexpr float kLeastClick = 0.15F;
 
-constexpr double kFadeFrom = 0.40;  ///< lines fade out from here to kFadeTo, in sample rates, against aliasing
+constexpr double kFadeFrom = 0.40;  ///< from here to kFadeTo, in sample rates, lines fade out to avoid aliasing
 constexpr double kFadeTo = 0.46;
 constexpr double kHighestCentre = 0.4;
 
@@ -81,8 +81,8 @@ float limited(float value) noexcept
     return std::copysign(kLimitFrom + kLimitRoom * std::tanh((size - kLimitFrom) / kLimitRoom), value);
 }
 
-/// Returns the sine of a share of a turn from 0 to 1, with an error of 4e-6. The library's sine would take half of the
-/// synthesiser's time.
+/// Returns the sine of a fraction of a turn, 0 to 1, with an error of at most 4e-6. The library's sine would take half
+/// of the synthesiser's time.
 float sineOfTurn(double turn) noexcept
 {
     double away = 0.5 - turn;
@@ -138,7 +138,8 @@ NoiseBand::NoiseBand(double centreHz, double sharpness, double rateHz) noexcept
     const double damping = 1.0 / sharpness;
     m_g = static_cast<float>(g);
     m_a1 = static_cast<float>(1.0 / (1.0 + g * (g + damping)));
-    // The effective value of filtered white noise is the energy of the impulse response times the level of the noise.
+    // The effective value of filtered white noise follows from the energy of the impulse response and the level of the
+    // noise.
     constexpr double kImpulseS = 0.05;
     double energy = 0.0;
     m_scale = 1.0F;
@@ -190,7 +191,7 @@ void Synthesizer::aim(const SoundState& state) noexcept
     const float freeRpm = bounded(state.freeRpm, 1.0F, kMostRpm);
     m_spin.target = state.turns ? 1.0F : 0.0F;
     if (state.turns) {
-        // A handpiece that is switched off runs down at its last pitch: see handpiece().
+        // A handpiece that is switched off runs down from its last speed, see handpiece().
         m_rpm.target = bounded(state.burRpm, 0.0F, freeRpm);
         if (m_spin.now == 0.0F)
             m_rpm.now = m_rpm.target;
@@ -299,7 +300,7 @@ void Synthesizer::render(const SoundState& state, std::span<float> samples, int 
     const auto width = static_cast<std::size_t>(channels);
     const std::size_t frames = samples.size() / width;
     if (isSilent()) {
-        // At silence, the values need no smoothing: they jump to their targets.
+        // At silence, the values jump to their targets, because smoothing would not be heard.
         m_click.target = 0.0F;
         m_click.now = 0.0F;
         std::fill_n(samples.begin(), frames * width, 0.0F);

@@ -24,7 +24,7 @@ public:
     float next(float share) noexcept
     {
         const float difference = target - now;
-        // Ends exactly at the target: no denormal numbers, and zero is silence.
+        // Reaches the target exactly, so that there are no denormal numbers and silence is zero.
         now = difference * difference < kEnough * kEnough ? target : now + share * difference;
         return now;
     }

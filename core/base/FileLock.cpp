@@ -9,7 +9,7 @@
 namespace core {
 namespace {
 
-/// Returns whether the name still belongs to the open file: the previous holder may have removed it.
+/// Returns whether the path still refers to the open file: the previous holder of the lock may have removed it.
 bool isStillCalled(const std::filesystem::path& name, int file)
 {
     struct stat open
@@ -37,7 +37,7 @@ FileLock::~FileLock()
 {
     if (m_file < 0)
         return;
-    unlink(m_name.c_str());  // while the lock is held
+    unlink(m_name.c_str());  // removed before the lock is released
     close(m_file);
 }
 

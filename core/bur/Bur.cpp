@@ -47,7 +47,7 @@ std::vector<Bur> compiledIn()
     return std::move(*burs);
 }
 
-/// The burs of the program, followed by the user's own.
+/// The built-in burs, followed by the user's own.
 struct Table
 {
     std::vector<Bur> burs = compiledIn();
@@ -102,7 +102,7 @@ double Bur::upperSideMm(double radiusMm) const
     for (std::size_t k = outline.size() - 1; k > 0; --k)
         if (outline[k - 1].radiusMm >= radiusMm && outline[k].radiusMm < outline[k - 1].radiusMm)
             return heightOn(outline[k - 1], outline[k], radiusMm);
-    // With straight sides the head is as high there as it is long.
+    // With straight sides, the height at this radius is the length of the head.
     return headLengthMm;
 }
 

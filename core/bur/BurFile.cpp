@@ -17,11 +17,11 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kLongestId = 24;
 constexpr std::size_t kMostElements = 16;
 constexpr double kThinnestNeckMm = 0.05;
-constexpr double kOffMm = 0.002;      ///< farthest that an end may be off its arc
+constexpr double kOffMm = 0.002;      ///< largest distance of an end from its arc
 constexpr double kOffTangent = 0.01;  ///< sine of the largest angle between an arc and the line that continues it
 constexpr double kSameMm = 1.0e-9;
 
-/// Chords that a quarter circle is cut into. 32 chords of a 0.5 mm ball leave 0.15 um.
+/// Number of chords of a quarter circle. With 32 chords, a ball of 0.5 mm has an error of 0.15 um.
 constexpr int kArcSteps = 32;
 
 using Point = Bur::Point;
@@ -30,7 +30,7 @@ using Point = Bur::Point;
 /// points are rational, so that the outline is the same with every compiler and needs no library function.
 Point unitArc(int step)
 {
-    // Two octants, each with t = tan(angle / 2) running to tan(22.5 degrees).
+    // Two octants. In each, t = tan(angle / 2) increases up to tan(22.5 degrees).
     constexpr double kTanEighth = 0.41421356237309503;
     const int half = kArcSteps / 2;
     const bool second = step > half;
@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    /// Checks every point: it is in the space that a bur has, and the chords to it cross no others.
+    /// Checks that each point is inside the space of a bur, and that no chords cross.
     [[nodiscard]] Status checkPoints() const
     {
         std::vector<Point> points{{0.0, 0.0}};
@@ -115,7 +115,7 @@ private:
         return {};
     }
 
-    /// Makes the flat disc, the arc beside it and the cone.
+    /// Adds the flat disc, the arc beside it and the cone.
     [[nodiscard]] Status makeEnd()
     {
         double flat = 0.0;
@@ -260,7 +260,7 @@ public:
     {
         if (text.find('\0') != std::string_view::npos)
             return unexpected(ErrorCode::WrongKind, "The bur file is not plain text.");
-        if (text.starts_with(kByteOrderMark))  // some editors write it
+        if (text.starts_with(kByteOrderMark))  // some editors write a byte order mark
             text.remove_prefix(kByteOrderMark.size());
         while (!text.empty()) {
             const std::size_t end = text.find('\n');

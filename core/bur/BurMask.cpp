@@ -7,7 +7,7 @@
 namespace core::bur {
 namespace {
 
-/// Cells. Without it, a head of a whole number of cells could lose its rim by rounding.
+/// In cells. Without it, rounding could remove the rim of a head that is a whole number of cells wide.
 constexpr double kRounding = 1.0e-3;
 
 }  // namespace
@@ -21,7 +21,7 @@ BurMask::BurMask(const Bur& bur, double cellMm)
       steepMm(bur.coneSlope >= kNearlyUpright ? heightAt(flatMm + bendMm) : sideMm)
 {
     for (int step = 0; step <= kTableSteps; ++step) {
-        // The middle of the step, because a lookup rounds down.
+        // Uses the middle of the step, because a lookup rounds down.
         const double r2 = (step + 0.5) / static_cast<double>(r2ToStep);
         const double r = std::min(std::sqrt(r2), bur.headRadiusMm);
         upperOfR2[static_cast<std::size_t>(step)] = static_cast<float>(bur.upperSideMm(r));

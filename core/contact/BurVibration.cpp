@@ -7,13 +7,13 @@ namespace core::contact {
 namespace {
 
 constexpr double kDrawS = 0.001;
-constexpr int kDrawsPerAim = 80;  ///< the strength gets a new aim after so many draws
+constexpr int kDrawsPerAim = 80;  ///< number of draws after which the strength gets a new target
 constexpr double kWeakest = 0.6;
 constexpr double kStrongest = 1.4;
 constexpr double kLevelS = 0.03;  ///< time constant of the strength
 constexpr double kStopS = 0.01;   ///< the same when the bur stops
 constexpr double kNothing = 0.01;
-/// Two axes, each of variance 2/3, together 1: n is uniform in [-1, 1) times this.
+/// There are two axes, each of variance 2/3 and together of variance 1: n is this factor times uniform in [-1, 1).
 constexpr double kScale = 0.8660254037844386;
 
 }  // namespace
@@ -44,8 +44,8 @@ glm::dvec3 BurVibration::update(bool running, double seconds) noexcept
         m_level = 0.0;
     if (!(m_level > 0.0))
         return glm::dvec3(0.0);
-    // Half a nanosecond of slack, because a millisecond is no sum of binary fractions. At most one draw a tick: with
-    // several, the sum would not be that of the newest.
+    // Allows half a nanosecond, because a millisecond is not exact in binary. There is at most one draw per tick: with
+    // several, the sum over 50 ms would no longer be that of four numbers.
     m_sinceDrawnS += seconds;
     if (m_sinceDrawnS >= kDrawS - 5.0e-10) {
         draw();

@@ -13,36 +13,36 @@
 namespace core::contact {
 namespace {
 
-constexpr int kMaxSlides = 3;          ///< places tried in a tick; the next tick continues from there
-constexpr double kAskMm = 0.15;        ///< motion of the hand before the search is tried, and before it is tried again
+constexpr int kMaxSlides = 3;          ///< positions tried in a tick; the next tick continues from there
+constexpr double kAskMm = 0.15;        ///< motion of the hand before each search
 constexpr double kStuckClimb = 0.5;    ///< most climb in the search of a stuck bur, cells a cell: it must not leave a
                                        ///< pocket
 constexpr double kBehindMm = 0.1;      ///< a bur this near to the hand is not stuck
-constexpr int kPatienceTicks = 2;      ///< ticks without progress before the pattern search, which needs no planes
+constexpr int kPatienceTicks = 2;      ///< ticks without progress before the pattern search, which does not use planes
 constexpr int kMaxSideSlides = 5;      ///< like kMaxSlides along upright sides, whose planes are dropped after each
                                        ///< move
-constexpr double kLongestShare = 0.5;  ///< of the radius, in one move: so the end of the move is inside any obstacle
-/// Farthest that the bur slides in a tick. A bur that slips off a cusp under a hand that presses far into the tooth
-/// takes ten ticks for a millimetre, and so does its force. In mm, and per mm that the hand moved.
+constexpr double kLongestShare = 0.5;  ///< of the radius, in one move, so that its end is inside any obstacle
+/// Longest slide of the bur in a tick, in mm, and per mm that the hand moved. When a bur slips off a cusp while the
+/// hand presses far into the tooth, it takes ten ticks for a millimetre, and so does its force.
 constexpr double kSlipMm = 0.1;
 constexpr double kSlipShare = 4.0;
 constexpr double kRounding = 1.0e-6;    ///< mm: heights are floats
 constexpr double kStillMm = 3.0e-4;     ///< a shorter move counts as none
 constexpr double kSlackMm = 1.0e-5;     ///< a bur at most this far above the ground rests on it
-constexpr double kNearMm = 0.002;       ///< ground this near stops a bur that moves on
-constexpr double kSteepest = 20.0;      ///< steeper ground is an upright side
-constexpr double kSmoothShare = 0.001;  ///< of a move: a tangent plane may cut off its start by so much
-constexpr double kLiftShare = 0.1;      ///< of a move: its end is raised onto the ground by at most so much
+constexpr double kNearMm = 0.002;       ///< distance at which ground stops a bur that moves on
+constexpr double kSteepest = 20.0;      ///< ground that is steeper is an upright side
+constexpr double kSmoothShare = 0.001;  ///< of a move: share of its start that a tangent plane may cut off
+constexpr double kLiftShare = 0.1;      ///< of a move: largest share by which its end may be raised onto the ground
 constexpr double kNearerMm2 = 1.0e-9;
 constexpr int kHalvings = 10;           ///< steps of the bisection for the place where the bur met the tooth
-constexpr double kGrazedMm = 0.005;     ///< depth in an upright side out of which a cutting bur is moved
-constexpr double kStrayedCells = 1.0;   ///< the same without a cut: the columns may reach so far beyond a side
+constexpr double kGrazedMm = 0.005;     ///< a cutting bur that is deeper than this in an upright side is moved out
+constexpr double kStrayedCells = 1.0;   ///< the same without cutting: the columns may extend beyond a side by this much
 constexpr double kShorterShare = 0.25;  ///< share of a blocked way that is tried next
 constexpr int kCornerLooks = 4;         ///< nearer and nearer places tried for what stops the bur at a corner
-constexpr double kCornerShare = 0.25;   ///< of the way, to the next of them
-constexpr double kCornerMm = 0.002;     ///< a bur behind a side by no more counts as before it
-constexpr double kTouchedMm = 0.02;     ///< ground that rose by no more was touched, not entered
-constexpr double kMostSettledMm = 0.3;  ///< a bur in a notch is raised or lowered by at most so much to fit
+constexpr double kCornerShare = 0.25;   ///< of the path, to the next of them
+constexpr double kCornerMm = 0.002;     ///< a bur that is behind a side by less counts as being in front of it
+constexpr double kTouchedMm = 0.02;     ///< if the ground rose by less, the bur touched it but did not enter it
+constexpr double kMostSettledMm = 0.3;  ///< largest distance by which a bur in a notch is raised or lowered to fit
 constexpr int kMaxFreeSamples = 128;    ///< points checked along a move through the air
 
 HalfSpace through(const glm::dvec3& point, const glm::dvec3& upwards)
@@ -63,8 +63,8 @@ bool isBeside(const bur::BurMask& mask, const glm::dvec3& from, const glm::dvec3
     return side.onMm.z - std::max(from.z, to.z) >= mask.sideMm;
 }
 
-/// Returns the plane that keeps a tip out of the tooth on its straight way from a free place `from` to `to`. On smooth
-/// ground it is the tangent plane at `to`, otherwise the plane where the bur meets the point that carries it.
+/// Returns the plane that keeps a tip out of the tooth on its straight path from a free position `from` to `to`. On
+/// smooth ground it is the tangent plane at `to`, otherwise the plane where the bur meets the point that supports it.
 HalfSpace planeBetween(const bur::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
 {
     const auto radiusMm = static_cast<double>(mask.radiusMm);
@@ -103,8 +103,8 @@ HalfSpace planeBetween(const bur::BurMask& mask, const glm::dvec3& from, const g
     return through(entry, {outwards * slope - along, 1.0});
 }
 
-/// Returns whether a tip at `to` is stopped by a side that the tip at `from` is already behind. Then the side turns a
-/// corner between them, and the corner stops the tip first.
+/// Returns whether a tip at `to` is stopped by a side that the tip at `from` is already behind. In that case the side
+/// turns a corner between the two positions, and the tip meets the corner first.
 bool isRoundCorner(const bur::BurMask& mask, const glm::dvec3& from, const glm::dvec3& to, const Touch& touch)
 {
     if (!touch.isSide() || !(touch.heightMm > to.z + kRounding))
@@ -113,13 +113,13 @@ bool isRoundCorner(const bur::BurMask& mask, const glm::dvec3& from, const glm::
     return glm::dot(glm::dvec2(from) - glm::dvec2(touch.onMm), touch.outwards) < needs - kCornerMm;
 }
 
-/// Returns whether a tip below the ground that carries it is free beneath.
+/// Returns whether a tip below the ground that supports it is free there, as under an overhang.
 bool isFreeBeneath(LiveTooth& tooth, const Touch& touch, const glm::dvec3& tip) noexcept
 {
     return !(touch.isSide() && touch.roofMm < tip.z) && tooth.undersideAt(glm::dvec2(tip), tip.z) >= tip.z;
 }
 
-/// Returns whether the straight way from the anchor to a free device is free.
+/// Returns whether the straight path from the anchor to a free device is free.
 bool wayIsFree(LiveTooth& tooth, Edges edges, const glm::dvec3& from, const glm::dvec3& to) noexcept
 {
     const glm::dvec2 flat(to.x - from.x, to.y - from.y);
@@ -136,14 +136,14 @@ bool wayIsFree(LiveTooth& tooth, Edges edges, const glm::dvec3& from, const glm:
     return true;
 }
 
-/// Moves an anchor that has no tooth above it to the nearest free place to the device (god-object, Zilles & Salisbury
-/// 1995, over the clearance field). The nearest point in the half-spaces known so far is tried. If the tooth is in the
+/// Moves an anchor without tooth above it to the free position nearest to the device (god-object, Zilles & Salisbury
+/// 1995, over the clearance field). Tries the nearest point in the half-spaces known so far. If the tooth is in the
 /// way, the obstacle adds another half-space.
 ///
 /// @param left    farthest motion in this tick, mm
 /// @param ground  touchAt() the anchor; updated
-/// @return false if every place tried was taken: on rugged ground the half-spaces may leave no way although there is
-/// one
+/// @return false if every position tried was blocked: on rugged ground the half-spaces may leave no path although there
+///         is one
 bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left, Touch& ground,
            glm::dvec3& anchor) noexcept
 {
@@ -174,7 +174,8 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
         Touch touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
         Touch met = touch;
         if (edges == Edges::Sides && touch.heightMm > next.z + kRounding) {
-            // Deep inside, the columns behind a side and its other parts are higher. The nearest part is met first.
+            // Deep inside the tooth, the columns behind a side and its other parts are higher. The bur meets the
+            // nearest part first.
             const Touch side = tooth.sideAt(glm::dvec2(next), std::max(anchor.z, next.z));
             if (side.isSide())
                 met = side;
@@ -184,12 +185,13 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
             met = touch = tooth.touchAt(glm::dvec2(next), 1.0e9, edges);
         }
         const glm::dvec2 at(next);
-        // A move cut short ends a little inside curved ground. It is raised onto the ground if that is still nearer.
+        // The end of a move that was cut short is a little inside curved ground. It is raised onto the ground if that
+        // is still nearer to the device.
         if (touch.heightMm > next.z && touch.heightMm - next.z <= kLiftShare * std::min(length, reach) &&
             distance2({at, touch.heightMm}, device) < best - kNearerMm2)
             next.z = touch.heightMm;
         if (touch.heightMm > next.z + kRounding) {
-            if (isFreeBeneath(tooth, touch, next)) {  // the way under an overhang is open
+            if (isFreeBeneath(tooth, touch, next)) {  // the path under an overhang is free
                 anchor = next;
                 ground = touch;
                 return true;
@@ -201,8 +203,8 @@ bool slide(LiveTooth& tooth, Edges edges, const glm::dvec3& device, double left,
             }
             continue;
         }
-        // Planes that hold the tip off the ground are tangents of a hump that it has left, and cut off free space. So
-        // do planes of a side whose end the tip may have reached.
+        // A plane that keeps the tip above the ground is tangent to a hump that the tip has left, and excludes free
+        // space. So does a plane of a side whose end the tip may have reached.
         if (next.z > touch.heightMm + kSlackMm || metSide)
             planes.clear();
         metSide = false;
@@ -238,8 +240,8 @@ void ContinuousContact::restart(const glm::dvec3& device) noexcept
 }
 
 /// Moves an anchor out of an upright side that it grazes, for example where two chords meet, or that it entered through
-/// the columns. An anchor that is deeper inside or came from below meets only the columns of the side in this tick.
-/// While the bur cuts, the limit is smaller.
+/// the columns. An anchor that is deeper inside, or came from below, collides only with the columns of the side in this
+/// tick. While the bur cuts, the limit is smaller.
 /// @param ground  at the anchor, sides included; updated
 Edges ContinuousContact::standClear(LiveTooth& tooth, Touch& ground) noexcept
 {
@@ -285,10 +287,10 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         if (underRoof) {
             m_anchor.z = std::min(device.z, roof);
         } else if (m_mayBeInside || ground.heightMm <= m_anchor.z + kTouchedMm) {
-            // After an undo or a change of the bur: out upwards, which is always free.
+            // After an undo or a change of the bur, moves the anchor out upwards, which is always free.
             m_anchor.z = std::max(device.z, ground.heightMm);
         } else {
-            // The anchor was free a tick ago and still is, column by column, except for a rim that cutting will remove.
+            // The anchor was free a tick ago and still is in all columns, except for a rim that cutting will remove.
             inNotch = true;
             const Room room = tooth.roomAt({m_anchor.x, m_anchor.y}, m_anchor.z);
             const double z = std::clamp(m_anchor.z, room.floorMm, std::max(room.floorMm, room.roofMm));
@@ -301,7 +303,7 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         m_anchor.z = z;
     }
     m_mayBeInside = false;
-    // While the bur cuts, cutting decides its place.
+    // While the bur cuts, the cut determines its position.
     if (m_revision != tooth.revision())
         m_blockedTicks = 0;
     m_revision = tooth.revision();
@@ -317,8 +319,8 @@ glm::dvec3 ContinuousContact::update(LiveTooth& tooth, const glm::dvec3& device)
         m_blockedTicks = m_anchor == before && isBehind ? m_blockedTicks + 1 : 0;
         return m_anchor;
     }
-    // Planes deep inside the tooth do not help along the way, and planes too near do not reach past an edge. So both
-    // are tried in turn.
+    // Planes deep inside the tooth do not help along the path, and planes too near do not reach past an edge. So ticks
+    // alternate between the two.
     if (m_blockedTicks % 2 == 1)
         left *= kShorterShare;
     const bool isBlocked = !slide(tooth, edges, device, left, ground, m_anchor);

@@ -11,22 +11,22 @@
 namespace core::contact {
 namespace {
 
-constexpr double kTouchMm = 1.0e-6;  ///< a nanometre is rounding, not touch
-/// Fastest that the held end of the spring moves by itself, and how much faster it may move per mm that the hand moves.
-/// The nearest point of a convex hump moves at most 2.5 / 1.5 times as fast as a hand 1 mm inside it.
+constexpr double kTouchMm = 1.0e-6;  ///< a penetration below a nanometre is rounding
+/// Largest speed at which the held end of the spring moves by itself, and its increase per mm that the hand moves. The
+/// nearest point of a convex hump moves at most 2.5 / 1.5 times as fast as a hand 1 mm inside it.
 constexpr double kSlipMmPerS = 100.0;
 constexpr double kSlideShare = 2.0;
 constexpr double kGoneS = 0.006;  ///< time constant of the approach from far away: no hand is dragged through air
 constexpr double kBrakeNSPerMm = 0.03;
-constexpr double kPaceGrowth = 1.5;  ///< most growth in a tick; the second tick shows even an impact
-/// Fastest change of the damper's force across the spring: in 1 ms a fifth of what a hand notices. A swing of 0.15 mm
-/// at 20 Hz needs 7 N/s. With 15 to 25 N/s, 508 to 510 of the lab's 516 trials pass, in no order. With 21 none of the
-/// limits is missed.
+constexpr double kPaceGrowth = 1.5;  ///< largest growth per tick; even an impact is visible in the second tick
+/// Fastest change of the damper's force across the spring: a fifth of what a hand notices, per 1 ms. A swing of 0.15 mm
+/// at 20 Hz needs 7 N/s. With 15 to 25 N/s, 508 to 510 of the lab's 516 trials pass, in no order. With 21 N/s, no limit
+/// is missed.
 constexpr double kAcrossNPerS = 21.0;
 
-/// Up to this stiffness the damper above and the device's dry friction suffice. A stiffer spring gains energy by
-/// sampling and delay in proportion to its stiffness, and its damper grows likewise. The limit is where the damper
-/// would stop the Falcon's 0.25 kg faster than a force arrives, in 1.4 ms.
+/// Up to this stiffness, the damper above and the dry friction of the device are sufficient. The energy that sampling
+/// and delay add to a stiffer spring is proportional to its stiffness, and so is its damper. The limit is where the
+/// damper would stop the Falcon's 0.25 kg faster than a force arrives, in 1.4 ms.
 constexpr double kGentleNPerMm = 2.5;
 constexpr double kMostPrompt = 6.0;
 
@@ -62,8 +62,9 @@ Status check(const ForceSettings& settings)
     return {};
 }
 
-/// Moves the held end to the anchor. Ground that appears or vanishes in a tick, by an undo, another bur or a column
-/// that broke off, moves the anchor faster than a sliding hand does. That motion is spread over some milliseconds.
+/// Moves the held end to the anchor. An undo, another bur or a column that breaks off can make the ground appear or
+/// vanish in a tick. The anchor then moves faster than a sliding hand does, so its motion is spread over some
+/// milliseconds.
 void ForceLaw::follow(const glm::dvec3& anchor, double movedMm, double seconds) noexcept
 {
     const glm::dvec3 way = anchor - m_held;
@@ -72,8 +73,8 @@ void ForceLaw::follow(const glm::dvec3& anchor, double movedMm, double seconds) 
     m_held = m_begins || length <= most ? anchor : m_held + way * (most / length);
 }
 
-/// Returns the speed, mm/s, at which the hand itself stretches the spring. An anchor that slips by itself must not be
-/// damped.
+/// Returns the velocity, mm/s, at which the hand itself stretches the spring. The motion of an anchor that slips by
+/// itself must not be damped.
 glm::dvec3 ForceLaw::handsPace() const noexcept
 {
     const glm::dvec3& stretching = m_stretching.mmPerS();
@@ -83,7 +84,7 @@ glm::dvec3 ForceLaw::handsPace() const noexcept
     return shortened(stretching, lengthOf(moving));
 }
 
-/// Returns handsPace() with its growth per tick limited. Otherwise an anchor that catches on an edge for a tick, while
+/// Returns handsPace() with limited growth per tick. Otherwise an anchor that catches on an edge for one tick, while
 /// the hand moves on, would be damped like a wall.
 glm::dvec3 ForceLaw::lastingPace() noexcept
 {
@@ -92,9 +93,10 @@ glm::dvec3 ForceLaw::lastingPace() noexcept
     return shortened(m_pace, most);
 }
 
-/// Returns the speed, mm/s, at which the hand lengthens the spring, by the rules of handsPace() and lastingPace(). It
-/// is taken from the length of the spring, not from its vector: in a groove the spring turns, and turning is no impact.
-/// @param normal  from the hand to the held end, of length 1
+/// Returns the speed, mm/s, at which the hand lengthens the spring, under the conditions of handsPace() and
+/// lastingPace(). It uses the length of the spring, not its vector: in a groove the spring turns, and a turn is no
+/// impact.
+/// @param normal  unit vector from the hand to the held end
 double ForceLaw::lengthening(const glm::dvec3& normal) noexcept
 {
     const double hand = -glm::dot(m_moving.mmPerS(), normal);
@@ -104,13 +106,13 @@ double ForceLaw::lengthening(const glm::dvec3& normal) noexcept
     return std::clamp(m_lengthening, -most, most);
 }
 
-/// Returns the damper's force, N. The damping depends on the lengthening of the spring, because only that can be an
-/// impact. Across the spring the force changes gradually.
+/// Returns the force of the damper, N. It damps the lengthening of the spring, because only that can be an impact.
+/// Across the spring, the force changes gradually.
 glm::dvec3 ForceLaw::damper(const glm::dvec3& pace, const glm::dvec3& normal, double seconds) noexcept
 {
     const double along = lengthening(normal);
     const double fast = along * along / (along * along + kFastMmPerS * kFastMmPerS);
-    // The stiffer the spring, the more this speed lags behind: the prompt damper takes over.
+    // The stiffer the spring, the later this speed is known. The prompt damper replaces this one to that extent.
     const double share = 1.0 / timesStiff();
     const double nSPerMm = 0.001 * (m_settings.dampingNSPerM + m_settings.fastDampingNSPerM * share * fast);
     const glm::dvec3 across = pace - normal * glm::dot(pace, normal);
@@ -118,10 +120,10 @@ glm::dvec3 ForceLaw::damper(const glm::dvec3& pace, const glm::dvec3& normal, do
     return normal * (nSPerMm * along) + m_acrossN;
 }
 
-/// Returns the additional damping force of a stiff spring, N. It uses the speed that the encoder counts prove, which is
-/// known some milliseconds sooner than the stretching of the spring, and in the air before the touch. It acts only
-/// straight in or out: a hand that slides along the tooth does not feel it.
-/// @param normal  from the hand to the held end, of length 1
+/// Returns the additional damping force of a stiff spring, N. It uses the speed that the encoder counts prove. That
+/// speed is known some milliseconds sooner than the stretching of the spring, even in the air before the contact. The
+/// force acts only along the spring, so a hand that slides along the tooth does not feel it.
+/// @param normal  unit vector from the hand to the held end
 glm::dvec3 ForceLaw::promptDamper(const glm::dvec3& normal, double seconds) const noexcept
 {
     const double nSPerM = m_settings.fastDampingNSPerM * std::min(kMostPrompt, timesStiff() - 1.0);
@@ -130,7 +132,7 @@ glm::dvec3 ForceLaw::promptDamper(const glm::dvec3& normal, double seconds) cons
     return normal * (-0.001 * nSPerM * glm::dot(m_moving.provenMmPerS(seconds), normal));
 }
 
-/// Returns the share of a force that the hand gets, along x, y and z.
+/// Returns the share of a force that is applied to the hand, along x, y and z.
 glm::dvec3 ForceLaw::gain() const noexcept
 {
     return glm::dvec3(m_settings.lateralGain, m_settings.lateralGain, m_settings.verticalGain) * m_return;
@@ -147,10 +149,10 @@ double ForceLaw::timesStiff() const noexcept
     return std::max(1.0, stiffnessNPerMm() / kGentleNPerMm);
 }
 
-/// Limits the energy by passivity control (Hannaford & Ryu 2002) in its strict form: the energy in the spring must have
-/// come from the hand. Energy beyond that, from sampling or from a jump of the anchor, is taken out of the motion.
-/// Energy that the hand gave beyond that was cut or rubbed away and is no credit. Slow motion is left to dry friction,
-/// because the brake would react to single counts.
+/// Limits the energy by passivity control (Hannaford & Ryu 2002) in its strict form: all energy in the spring must have
+/// come from the hand. Other energy, from sampling or from a jump of the anchor, is removed from the motion by a brake.
+/// Energy of the hand that is not in the spring was used up by cutting or friction, and does not count in its favour.
+/// Slow motion is left to dry friction, because the brake would react to single encoder counts.
 glm::dvec3 ForceLaw::brake(const glm::dvec3& pace, double springMj, double seconds) noexcept
 {
     m_takenMj = std::min(m_takenMj, springMj);
@@ -204,7 +206,7 @@ glm::dvec3 ForceLaw::update(const glm::dvec3& device, const glm::dvec3& anchor, 
         wanted += brake(pace, 0.5 * stiffness * glm::dot(stretch * gain(), stretch), seconds);
         const double pull = glm::dot(wanted, normal);
         if (pull < 0.0)
-            wanted -= normal * pull;  // no force pulls the hand into the tooth
+            wanted -= normal * pull;  // the force must not pull the hand into the tooth
         wanted *= gain();
     } else {
         m_takenMj = 0.0;

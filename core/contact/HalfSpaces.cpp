@@ -33,8 +33,8 @@ bool HalfSpaces::holds(const glm::dvec3& point) const noexcept
     return true;
 }
 
-/// The nearest point is on none, one, two or three of the planes. Of the foot points on them that are in all
-/// half-spaces, it is the nearest.
+/// Computes the nearest point in all half-spaces. It is on none, one, two or three of the planes, so it is the nearest
+/// of the perpendicular foot points on such sets that are in all half-spaces.
 bool HalfSpaces::nearest(const glm::dvec3& to, glm::dvec3& point) const noexcept
 {
     if (holds(to)) {

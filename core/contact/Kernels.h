@@ -92,7 +92,7 @@ struct alignas(32) Columns
     bool isSound;          ///< there is neither caries nor pulp down to where they may be cut
     std::uint8_t lowered;  ///< since they were copied: one bit each, the first in the lowest
     std::uint8_t emptied;  ///< those of them that are removed completely
-    // Not set if isSound.
+    // The following members are not set if isSound.
     PerColumn cariesRoof;
     PerColumn cariesFloor;
     PerColumn pulpRoof;

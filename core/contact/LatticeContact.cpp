@@ -24,7 +24,7 @@ bool isFree(LiveTooth& tooth, const glm::dvec3& place, bool fromAbove) noexcept
         return true;
     if (fromAbove)
         return false;
-    const Room room = tooth.roomAt(at, place.z);  // a notch: some columns are below the bur, others above
+    const Room room = tooth.roomAt(at, place.z);  // in a notch, some columns are below the bur and others above
     return place.z >= room.floorMm - kHeightRoundingMm && place.z <= room.roofMm + kHeightRoundingMm;
 }
 
@@ -64,7 +64,7 @@ glm::dvec3 LatticeContact::update(LiveTooth& tooth, const glm::dvec3& device) no
     const terrain::Grid& grid = tooth.grid();
     m_cellMm = grid.cellMm;
     if (m_mayBeInside) {
-        // Snap to the lattice, then move out upwards, which is always free.
+        // Snaps to the lattice, then moves out upwards, which is always free.
         const glm::dvec2 at = glm::round(grid.latticeOf({m_anchor.x, m_anchor.y}));
         const double level = std::ceil(m_anchor.z / m_cellMm - 1.0e-9);
         m_anchor = {grid.nodeMm(static_cast<int>(at.x), static_cast<int>(at.y)), level * m_cellMm};

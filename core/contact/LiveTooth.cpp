@@ -18,18 +18,18 @@ namespace {
 
 constexpr double kRimRoundingMm = 1.0e-9;
 constexpr double kFloatMm = 1.0e-6;  ///< heights are floats
-/// Cells. Where the ground is not steep, columns under a bur are lower than the ground between them by at most so much.
+/// In cells. If the ground is not steep, columns under a bur are at most this much lower than the ground between them.
 constexpr float kSpikeShare = 0.35F;
 
-/// Ground that bends more sharply than this is an edge.
+/// A sharper bend of the ground is an edge.
 constexpr double kSharpestPerMm = 2.0;
 constexpr int kFootRounds = 12;
-/// The second-order ground of a node reaches this far, a little into the cells of its neighbours. Otherwise a foot on
-/// the border would belong to neither.
+/// The second-order ground of a node extends a little into the cells of its neighbours. Otherwise a foot on the border
+/// would belong to neither node.
 constexpr double kOwnCells = 0.6;
-/// Below this, ground and bur bend so much alike that the point of contact is unknown.
+/// Below this value, ground and bur have nearly the same curvature, and the point of contact is undetermined.
 constexpr double kLeastDeterminant = 0.05;
-constexpr double kFootMm = 3.0e-4;  ///< a foot that moves by less is found: the height there is a maximum
+constexpr double kFootMm = 3.0e-4;  ///< if a foot moves by less, it is found: the height there is a maximum
 
 const Peak& highestOf(const Peaks& peaks)
 {
@@ -37,16 +37,16 @@ const Peak& highestOf(const Peaks& peaks)
                              [](const Peak& a, const Peak& b) { return a.value < b.value; });
 }
 
-/// Returns where ground with `slope` carries a bur whose axis is at p.
+/// Returns where ground with `slope` supports a bur whose axis is at p.
 glm::dvec2 footOn(const bur::BurMask& mask, glm::dvec2 p, glm::dvec2 slope)
 {
     const double steep = std::sqrt(slope.x * slope.x + slope.y * slope.y);
     return steep > 0.0 ? p + slope * (mask.standsAt(steep) / steep) : p;
 }
 
-/// Returns the next estimate of the foot, from a place on ground with `slope` and `bend`. It is Newton's step towards
-/// the ground that has the slope of the bur. If that step leads to no maximum, it is where ground with this slope would
-/// carry the bur.
+/// Returns the next estimate of the foot, from a position on ground with `slope` and `bend`. It is Newton's step
+/// towards the ground that has the slope of the bur. If that step does not lead to a maximum, it is the position where
+/// ground with this slope would support the bur.
 glm::dvec2 stepToFoot(const bur::BurMask& mask, glm::dvec2 p, glm::dvec2 at, glm::dvec2 slope, glm::dvec2 bend,
                       double twist)
 {
@@ -54,10 +54,11 @@ glm::dvec2 stepToFoot(const bur::BurMask& mask, glm::dvec2 p, glm::dvec2 at, glm
     const double steep2 = slope.x * slope.x + slope.y * slope.y;
     if (!(steep2 > 0.0))
         return error;
-    // The foot is p + slope * share; how it moves with the slope, times how the slope moves with the place.
+    // The foot is p + slope * share. The derivative of the foot by the slope is multiplied by that of the slope by
+    // position.
     const double steep = std::sqrt(steep2);
     const double root = std::sqrt(1.0 + steep2);
-    // The upper edge of a cone is met as the rim of a disc.
+    // The upper edge of a cone touches the ground like the rim of a disc.
     const bool onEdge = mask.standsOnEdge(steep);
     const double flat = onEdge ? static_cast<double>(mask.radiusMm) : mask.flatMm;
     const double corner = onEdge ? 0.0 : mask.cornerMm;
@@ -95,7 +96,7 @@ LiveTooth::LiveTooth(terrain::Tooth tooth)
     std::size_t widest = 0;
     for (const bur::BurMask& mask : m_masks)
         widest = std::max(widest, 2 * static_cast<std::size_t>(mask.span) + 3);
-    widest += 2;  // and the columns that the motion within a cell adds
+    widest += 2;  // and the columns that motion within a cell adds
     m_columnsRoom.resize(widest * (widest / kBlock + 1));
     m_blocks.side = blocksFor(grid().side);
     const std::size_t blocks = static_cast<std::size_t>(m_blocks.side) * static_cast<std::size_t>(m_blocks.side);
@@ -125,7 +126,7 @@ bool LiveTooth::isWhole(std::size_t k) const noexcept
     return m_tooth.isSolid(k) && m_tooth.top[k] >= m_tooth.anatomy->top[k];
 }
 
-/// Returns whether the uncut ground around a node inside the map bends without an edge.
+/// Returns whether the uncut ground around a node inside the map is curved without an edge.
 bool LiveTooth::bends(const terrain::ToothAnatomy& anatomy, int i, int j) noexcept
 {
     const terrain::Grid& grid = anatomy.grid;
@@ -141,7 +142,7 @@ bool LiveTooth::bends(const terrain::ToothAnatomy& anatomy, int i, int j) noexce
                         static_cast<double>(anatomy.top[grid.index(i, j)])) /
                grid.cellMm;
     };
-    // An edge has two slopes. The gentler one is the slope of the ground.
+    // At an edge there are two slopes. The gentler one is the slope of the ground.
     const double steepX = std::min(rise(1, 0), rise(-1, 0));
     const double steepY = std::min(rise(0, 1), rise(0, -1));
     const double steep2 = 1.0 + steepX * steepX + steepY * steepY;
@@ -149,7 +150,7 @@ bool LiveTooth::bends(const terrain::ToothAnatomy& anatomy, int i, int j) noexce
     return std::max({std::abs(bowl.bend.x), std::abs(bowl.bend.y), std::abs(bowl.twist)}) < kSharpestPerMm * steep2;
 }
 
-/// From now on the ground around a node is its columns.
+/// Marks a node as cut: the ground around it is now given by its columns.
 void LiveTooth::noteCut(int i, int j) noexcept
 {
     for (int atJ = std::max(0, j - 1); atJ <= std::min(grid().side - 1, j + 1); ++atJ)
@@ -184,7 +185,7 @@ Touch LiveTooth::touchAt(glm::dvec2 pointMm, double enough, Edges edges) noexcep
 
 bool LiveTooth::isAbove(glm::dvec2 pointMm, double z, Edges edges) noexcept
 {
-    // Usually the column that was the highest a tick ago decides.
+    // The column that was the highest a tick ago usually decides.
     if (const Peak last = lastPeakAt(grid().latticeOf(pointMm)); last.i >= 0 && static_cast<double>(last.value) > z)
         return true;
     return touchAt(pointMm, z, edges).heightMm > z;
@@ -294,8 +295,8 @@ Touch LiveTooth::touchOnFacets(const Peak& peak, glm::dvec2 pointMm) const noexc
     return best;
 }
 
-/// Finds the foot, where bur and ground have the same slope: from the highest column, and again from the node nearest
-/// to the result. On steep ground the highest column may be some cells away.
+/// Finds the foot, where bur and ground have the same slope. Starts from the highest column, then again from the node
+/// nearest to the result, because on steep ground the highest column may be some cells away.
 bool LiveTooth::touchOnBowl(const Peak& peak, glm::dvec2 pointMm, Touch& touch, glm::ivec2& node) const noexcept
 {
     int i = peak.i;
@@ -339,8 +340,8 @@ double LiveTooth::undersideAt(glm::dvec2 pointMm, double enough) noexcept
     const glm::dvec2 lattice = grid().latticeOf(pointMm);
     Search wanted{-bur::BurMask::kAbsent, 0.0F, static_cast<float>(-enough)};
     const BurHead head = headAt(mask(), grid().cellMm, lattice.x, lattice.y);
-    // The lowest column of a tick ago usually still is the lowest, and a column that stops the bur from above usually
-    // reaches down beside it.
+    // The lowest column of the last tick usually still is the lowest. A column that stops the bur from above usually
+    // also extends down beside it.
     for (const Peak& last : {m_lowest, m_peak}) {
         if (last.i < 0)
             continue;
@@ -413,7 +414,7 @@ void LiveTooth::refreshBlocks(int firstI, int firstJ, int lastI, int lastJ) noex
     for (int blockJ = firstJ / kBlock; blockJ <= lastJ / kBlock; ++blockJ) {
         const int rowEnd = std::min(grid().side, (blockJ + 1) * kBlock);
         for (int blockI = firstI / kBlock; blockI <= lastI / kBlock; ++blockI) {
-            // The last block of a row overlaps the one before. So its value is a bound and not the exact one.
+            // The last block of a row overlaps the block before it, so its value is only a bound.
             const int from = std::min(blockI * kBlock, grid().side - kBlock);
             std::array<float, kBlock> highest;
             std::array<float, kBlock> lowest;

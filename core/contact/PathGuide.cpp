@@ -11,11 +11,11 @@
 namespace core::contact {
 namespace {
 
-/// With dry friction of 0.25 N, a hand that follows the lead stays within 0.6 mm.
+/// With this stiffness and dry friction of 0.25 N, a hand that follows the lead stays within 0.6 mm.
 constexpr double kGuideNPerMm = 0.4;
-/// With 0.3 kg of grip and a light hand this is half of critical damping; the hand adds some of its own.
+/// For a grip of 0.3 kg and a light hand, this is half of critical damping. The hand adds some damping of its own.
 constexpr double kGuideNSPerMm = 0.012;
-constexpr double kGuideArrivedMm = 2.0;  ///< the anchor has arrived when it is no farther from the aim
+constexpr double kGuideArrivedMm = 2.0;  ///< the anchor has arrived when it is this near to the aim
 constexpr double kGuideStrideS = 0.005;  ///< time constant of the damper's low-pass: no count is felt through it
 /// A hand that approaches the anchor faster than this follows the lead.
 constexpr double kGoesAlongMmPerS = 3.0;
@@ -32,8 +32,8 @@ void PathGuide::drop() noexcept
     m_forceN = glm::dvec3(0.0);
 }
 
-/// Moves the anchor with the aim if it has arrived there, otherwise towards it. It never gets farther ahead of the hand
-/// than the spring may pull.
+/// Moves the anchor with the aim if it has arrived there, otherwise towards the aim. Its distance ahead of the hand is
+/// limited by the largest force of the spring.
 void PathGuide::walk(const glm::dvec3& deviceMm, const glm::dvec3& aimMm, double seconds) noexcept
 {
     const glm::dvec3 way = aimMm - m_anchor;
@@ -72,7 +72,7 @@ glm::dvec3 PathGuide::update(const glm::dvec3& deviceMm, const glm::dvec3& aimMm
     }
     m_asked = false;
 
-    // A hand that moves ahead by itself is not held back.
+    // A hand that moves ahead by itself must not be held back.
     if (m_leading && lengthOf(aimMm - deviceMm) < lengthOf(aimMm - m_anchor))
         m_anchor = deviceMm;
     const glm::dvec3 before = m_anchor;

@@ -15,10 +15,11 @@ namespace {
 constexpr int kFinestLevel = 5;  ///< smallest step: cell / 2^5
 constexpr double kWideCells = 2.0;
 constexpr int kNodesAround = 2;
-constexpr int kMaxLooks = 48;  ///< places tried in a tick; the next tick continues from there
+constexpr int kMaxLooks = 48;  ///< positions tried in a tick; the next tick continues from there
 
 constexpr double kDiagonal = 0.7071067811865476;
-/// The four along the lattice first: only the finest step tries the others, unless one of them helped last.
+/// The first four directions are along the lattice. The others are tried only with the finest step, or if one of them
+/// succeeded last.
 constexpr std::size_t kAlong = 4;
 constexpr std::array<glm::dvec2, 8> kDirections{{{1.0, 0.0},
                                                  {0.0, 1.0},
@@ -34,8 +35,8 @@ struct Step
 {
     double deviceZ = 0.0;
     double fromZ = 0.0;
-    double climb = 0.0;    ///< most that it may rise over ground, or sink under a roof
-    double highest = 0.0;  ///< any higher place would be no nearer to the device
+    double climb = 0.0;    ///< largest rise over ground, or descent under a roof
+    double highest = 0.0;  ///< a higher position would be no nearer to the device
     bool inNotch = false;  ///< the anchor has some columns below it and others above
 };
 
@@ -85,7 +86,7 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
     int looks = 0;
     // Moves to a place if it is free and nearer than the best.
     const auto goTo = [&](glm::dvec2 at, double fromZ, double climb) {
-        // A place whose own column is already farther than the best needs no clearance.
+        // A position whose column alone is farther than the best needs no computation of the clearance.
         const double flat = (at.x - device.x) * (at.x - device.x) + (at.y - device.y) * (at.y - device.y);
         if (flat >= best)
             return false;
@@ -99,7 +100,7 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
         return true;
     };
     if (isStuck) {
-        // The nodes around come first: with its axis over a node, a bur passes columns that stop it between nodes.
+        // Nodes are tried first: with its axis over a node, a bur passes between columns that stop it between nodes.
         const terrain::Grid& grid = tooth.grid();
         const glm::dvec2 lattice = grid.latticeOf(glm::dvec2(anchor));
         const double fromZ = anchor.z;
@@ -135,7 +136,7 @@ void searchAround(LiveTooth& tooth, const glm::dvec3& device, double movedMm, co
             step *= 0.5;
             ++level;
             streak = 0;
-        } else if (++streak == 2 && level > 0) {  // a long way left: longer steps
+        } else if (++streak == 2 && level > 0) {  // still a long way to go: take longer steps
             step *= 2.0;
             --level;
             streak = 0;

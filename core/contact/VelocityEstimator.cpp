@@ -9,17 +9,17 @@
 namespace core::contact {
 namespace {
 
-/// A count of the Falcon: 0.048 mm sideways and 0.028 mm along its axis (docs/facts/haptics.md, section 5). With less,
-/// a device that rests on the edge of a count would seem to move at 30 mm/s.
+/// Size of a count of the Falcon: 0.048 mm sideways and 0.028 mm along its axis (docs/facts/haptics.md, section 5).
+/// With a smaller value, a device at rest between two counts would seem to move at 30 mm/s.
 constexpr double kCountMm = 0.05;
-/// 1 / n: weight of the distance to the n-th place back, for a tick.
+/// 1 / n: weight of the distance to the n-th last position, for a tick.
 constexpr auto kShares = [] {
     std::array<double, 16> shares{};
     for (std::size_t n = 1; n < shares.size(); ++n)
         shares[n] = 1.0 / static_cast<double>(n);
     return shares;
 }();
-/// Most that the reading changes along an axis when one arm moves by one count, up to 20 mm from the middle.
+/// Largest change of the reading along an axis when one arm moves by one count, up to 20 mm from the middle.
 constexpr double kArmCountMm = 0.045;
 constexpr double kProvenS = 0.003;
 constexpr double kCornerRadPerS = 2.0 * 3.14159265358979 * 240.0;
@@ -37,7 +37,7 @@ glm::dvec3 VelocityEstimator::perTick() const noexcept
     const glm::dvec3& now = ago(0);
     static_assert(kShares.size() == kWindow);
     glm::dvec3 known = now - ago(1);
-    // Bounds of the slope of a line through the newest place that passes every place so far within a count.
+    // Bounds of the slope of a line through the newest position that is within a count of every position so far.
     glm::dvec3 least = known - kCountMm;
     glm::dvec3 most = known + kCountMm;
     for (std::size_t n = 2; n < kWindow; ++n) {
@@ -72,7 +72,7 @@ glm::dvec3 VelocityEstimator::provenMmPerS(double seconds) const noexcept
     for (std::size_t n = 1; n <= longest; ++n) {
         const glm::dvec3 way = ago(0) - ago(n);
         for (int axis = 0; axis < 3; ++axis) {
-            // A long way counts fully, and a way within a count does not count (a garrote).
+            // A long distance counts fully, and one within a count does not count (nonnegative garrote).
             const double length = std::abs(way[axis]);
             const double sure = length > kArmCountMm ? length - kArmCountMm * kArmCountMm / length : 0.0;
             const double mmPerS = sure / (static_cast<double>(n) * seconds);

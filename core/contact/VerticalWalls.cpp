@@ -12,7 +12,8 @@
 namespace core::contact {
 namespace {
 
-/// A rise of this many cells from one node to the next is an edge, if the ground on either side is gentler by as much.
+/// A rise from one node to the next is an edge if it is at least this many cells, and the ground on either side is
+/// gentler by as much.
 constexpr double kLeastRise = 0.75;
 constexpr double kGentler = 3.0;
 
@@ -24,12 +25,13 @@ constexpr double kReachShare = 2.0;
 
 constexpr double kLengthRounding = 1.0e-9;
 
-/// Longest chord: this many cells, and this share of a bur's radius. Posts farther apart are on the two sides of a
-/// corner that the bur is in.
+/// Longest chord, in cells, and as a share of the bur's radius. Wall points farther apart are on two sides of a corner
+/// that contains the bur.
 constexpr double kChordCells = 4.25;
 constexpr double kChordShare = 0.75;
 
-/// A line is fitted to the falls within this many cells, and fits if none of them is farther from it.
+/// A line is fitted to the edges within this many cells. It is valid if none of them is farther from it than
+/// kFitsCells.
 constexpr double kFitCells = 5.5;
 constexpr double kFitsCells = 0.75;
 
@@ -38,7 +40,7 @@ double lengthOf(glm::dvec2 v)
     return std::sqrt(v.x * v.x + v.y * v.y);
 }
 
-/// Returns whether the ground falls off upright from node (i, j) towards (i + di, j + dj).
+/// Returns whether the ground drops vertically from node (i, j) towards (i + di, j + dj).
 bool fallsOff(const terrain::ToothAnatomy& anatomy, int i, int j, int di, int dj)
 {
     const terrain::Grid& grid = anatomy.grid;
@@ -74,8 +76,8 @@ std::vector<VerticalWalls::Fall> VerticalWalls::fallsOf(const terrain::ToothAnat
     return falls;
 }
 
-/// Returns the middle of a fall. It is moved onto the line through the surrounding falls that have the same direction
-/// or one at right angles (total least squares), if they are on one line.
+/// Returns the middle of an edge, moved onto a straight line if the wall is straight there. The line is fitted by total
+/// least squares to the surrounding edges with the same direction or one at right angles.
 glm::dvec2 VerticalWalls::straightened(const Fall& fall, const std::vector<Fall>& all,
                                        const std::vector<std::vector<std::size_t>>& byBlock, int blockSide)
 {
@@ -105,7 +107,7 @@ glm::dvec2 VerticalWalls::straightened(const Fall& fall, const std::vector<Fall>
         xy += off.x * off.y;
         yy += off.y * off.y;
     }
-    // Along the line: the eigenvector of the larger eigenvalue.
+    // Direction of the line: the eigenvector of the larger eigenvalue.
     const double half = 0.5 * (xx - yy);
     const double root = std::sqrt(half * half + xy * xy);
     glm::dvec2 along = half >= 0.0 ? glm::dvec2(half + root, xy) : glm::dvec2(xy, root - half);
@@ -154,7 +156,7 @@ VerticalWalls::VerticalWalls(const terrain::ToothAnatomy& anatomy)
 
 bool VerticalWalls::isFar(glm::dvec2 lattice) const noexcept
 {
-    // A place outside the map is as near as the block at its edge.
+    // For a position outside the map, uses the block at its border.
     const int i = std::clamp(static_cast<int>(lattice.x), 0, m_side - 1) / kBlock;
     const int j = std::clamp(static_cast<int>(lattice.y), 0, m_side - 1) / kBlock;
     return m_hasNear[static_cast<std::size_t>(j * m_blockSide + i)] == 0;
@@ -185,7 +187,7 @@ std::size_t VerticalWalls::nodesNear(glm::dvec2 pointMm, const terrain::Tooth& t
     std::size_t count = 0;
     if (isFar(lattice))
         return count;
-    const double cells = reach.farthest / grid.cellMm + 1.0;  // a post may be before its node
+    const double cells = reach.farthest / grid.cellMm + 1.0;  // a wall point may be in front of its node
     const int firstI = std::clamp(static_cast<int>(lattice.x - cells), 0, m_side - 1) / kBlock;
     const int lastI = std::clamp(static_cast<int>(lattice.x + cells), 0, m_side - 1) / kBlock;
     const int firstJ = std::clamp(static_cast<int>(lattice.y - cells), 0, m_side - 1) / kBlock;
@@ -216,7 +218,7 @@ VerticalWalls::Reach::Reach(const terrain::Grid& grid, const bur::BurMask& mask)
     farthest = std::sqrt((radius + proud) * (radius + proud) + chord * chord);
 }
 
-/// The nearest place of a side to a bur: at a post, or on a chord between two posts.
+/// The point of a wall that is nearest to a bur: at a wall point, or on a chord between two of them.
 struct VerticalWalls::Foot
 {
     glm::dvec2 place;
@@ -225,7 +227,7 @@ struct VerticalWalls::Foot
     glm::dvec2 along;  ///< slope of the side's top, along the chord
 };
 
-/// Returns the foot on the chord between two posts, or empty if there is none.
+/// Computes the nearest point on the chord between two wall points. Returns false if there is none.
 bool VerticalWalls::footBetween(glm::dvec2 pointMm, const Node& one, const Node& other, double longest,
                                 Foot& foot) noexcept
 {
@@ -288,7 +290,7 @@ Touch VerticalWalls::touchAt(glm::dvec2 pointMm, const terrain::Tooth& tooth, co
             best = foot;
         }
     };
-    // A chord's foot is at most half a chord from its nearer end.
+    // The nearest point on a chord is at most half a chord from its nearer end.
     const double half = 0.5 * reach.chord;
     eachFoot(pointMm, reach, std::span(nodes).first(count), take, [&](const Node& end) {
         const double nearest = std::sqrt(std::max(0.0, end.apart * end.apart - half * half));
@@ -308,7 +310,7 @@ Touch VerticalWalls::besideAt(glm::dvec2 pointMm, double tipMm, const terrain::T
     bool isThere = false;
     const auto take = [&](const Foot& foot) {
         const double apart = lengthOf(pointMm - foot.place);
-        // A cone meets a higher side sooner.
+        // A cone touches a higher wall sooner.
         const double beside =
             mask.steepMm < mask.sideMm ? apart + reach.radius - mask.reachAt(foot.top - tipMm) : apart;
         if (!(apart > 0.0) || beside > least || foot.bottom - mask.upperAt(apart) >= tipMm)

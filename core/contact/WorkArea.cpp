@@ -11,8 +11,8 @@
 namespace core::contact {
 namespace {
 
-/// Soft: kLeadN over 5 mm. The damper between hand and anchor makes it nearly critical for a grip and a light hand, 0.3
-/// kg.
+/// A soft spring: kLeadN over 5 mm. For a grip and a light hand, 0.3 kg, the damper between hand and anchor makes it
+/// nearly critically damped.
 constexpr double kSpringNPerMm = 0.2;
 constexpr double kDamperNSPerMm = 0.012;
 constexpr double kStrideS = 0.02;  ///< time constant of the damper's low-pass: neither a turn of the way nor a count is
@@ -20,10 +20,11 @@ constexpr double kStrideS = 0.02;  ///< time constant of the damper's low-pass: 
 constexpr double kArrivedMm = 0.5;
 /// Spring and damper together stay under 2 N (docs/facts/haptics.md, section 4, scene 13).
 constexpr double kMostLeadN = 1.8;
-/// A hand that follows needs little more than the device's friction, 0.25 N. From this share of kLeadN on it resists.
+/// A hand that follows needs little more than the friction of the device, 0.25 N. From this share of kLeadN on, the
+/// hand counts as resisting.
 constexpr double kHeldBackShare = 0.95;
 
-constexpr double kSlewNPerS = 1000.0;  ///< fastest change of its force: a jump of the reading gives no blow
+constexpr double kSlewNPerS = 1000.0;  ///< fastest change of its force, so that a jump of the reading gives no blow
 
 }  // namespace
 
@@ -38,10 +39,10 @@ void WorkArea::drop() noexcept
     m_forceN = glm::dvec3(0.0);
 }
 
-/// Moves the anchor on its way home, no farther ahead of the hand than the spring may pull.
+/// Moves the anchor on its path home. Its distance ahead of the hand is limited by the largest force of the spring.
 void WorkArea::walk(const glm::dvec3& device, double seconds) noexcept
 {
-    // Up first: above everything beside the bur, the way is free.
+    // The anchor moves up first, because the path is free above everything beside the bur.
     const glm::dvec3 home(0.0, 0.0, kHomeMm);
     const bool low = m_anchor.z < kHomeMm - kArrivedMm;
     const glm::dvec3 aim = low ? glm::dvec3(m_anchor.x, m_anchor.y, kHomeMm) : home;

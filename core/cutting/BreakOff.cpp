@@ -30,7 +30,7 @@ int thinColumns(const terrain::Tooth& tooth, int i, int j, const Direction& towa
 {
     const terrain::Grid& grid = tooth.grid();
     const double mmHigh = slenderness * grid.cellMm * towards.cells;  // for each column of width
-    // A perforated column is gone: the columns beside it are no higher than their own length.
+    // A perforated column does not exist: the columns beside it stand no higher than their own length.
     auto ground = static_cast<double>(tooth.top[grid.index(i, j)]);
     double lowest = 1.0e9;  // top of the columns so far
     for (int count = 0;; ++count) {
@@ -42,7 +42,7 @@ int thinColumns(const terrain::Tooth& tooth, int i, int j, const Direction& towa
             base = std::max(ground, next);
             return count;
         }
-        // With one more column the wall is wider. Is it high enough to break, if there is no column behind it?
+        // With one more column the wall is wider. Checks whether it is high enough to break if no column is behind it.
         lowest = std::min(lowest, next);
         if (isThere)
             ground = std::max(ground, static_cast<double>(tooth.bottom[grid.index(nextI, nextJ)]));
@@ -116,7 +116,7 @@ terrain::PerMaterial breakOff(contact::LiveTooth& live, double slenderness, CutR
                     changed = {std::min(changed.i0, atI), std::min(changed.j0, atJ), std::max(changed.i1, atI),
                                std::max(changed.j1, atJ)};
                 }
-                if (count > 0)  // breaking off may have made another edge
+                if (count > 0)  // breaking off may have created another edge
                     markEdges(tooth, j, i, cut.i1, rise, marks);
             }
         }

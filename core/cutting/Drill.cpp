@@ -14,23 +14,23 @@
 namespace core::cutting {
 namespace {
 
-/// Most tries at finding the advance. It is found when the removal uses 95 to 100 % of the granted time; the rest of
-/// the time goes to the next tick.
+/// Largest number of tries to find the advance. It is found when the removal uses 95 to 100 % of the granted time. The
+/// rest of the time is added to the next tick.
 constexpr int kMaxTries = 6;
 constexpr double kMostExcess = 8.0;      ///< times the granted time: a needed time beyond that counts as this much
-constexpr double kFarther = 4.0;         ///< times the last advance tried, at most
+constexpr double kFarther = 4.0;         ///< as a multiple of the last advance tried
 constexpr double kFirstGuessMm = 0.001;  ///< advance tried first in fresh material
-constexpr double kTightMm = 0.0005;      ///< a bracket this narrow contains a wall, not the advance
+constexpr double kTightMm = 0.0005;      ///< if the bracket is narrower, it contains a wall and not the advance
 constexpr double kCloseEnough = 0.95;
-constexpr double kAim = 0.975;  ///< of the granted time: aim while no upper end is known
-/// Share of the way of a column. Below this, the material does not yield to the force.
+constexpr double kAim = 0.975;  ///< of the granted time: target while no upper end is known
+/// Share of the path of a column. Below it, the material does not yield to the force.
 constexpr double kLeastShare = 1.0e-6;
 constexpr double kRoundingMm = 1.0e-5;  ///< heights are floats
 constexpr double kRoundingCells = 1.0e-3;
 /// Seconds per mm3 of a material that does not yield to the force.
 constexpr double kNever = 1.0e30;
-/// Impulse, N s, up to which a touch is a brush. A touch of 0.3 N for 20 ms must leave no mark (dentists, 2011); with
-/// the threshold of force alone, the tip of a ball would leave one 30 um deep.
+/// Impulse, N s, up to which a contact is only a brush. A contact of 0.3 N for 20 ms must leave no mark (dentists,
+/// 2011). With only a threshold of force, the tip of a ball would leave a mark 30 um deep.
 constexpr double kBrushNS = 0.008;
 
 /// One advance of the bur: the tooth, the start of the tip, and copies of the columns that the bur may meet.
@@ -50,8 +50,8 @@ struct Advance
         return {static_cast<float>(tip.z), static_cast<float>(std::max(tip.z, beginZ))};
     }
 
-    /// Copies the columns that a bur may lower when it moves from `from` towards `towards` by up to `reachMm`. None is
-    /// missed, and some are copied in vain. Returns false if there are too many.
+    /// Copies the columns that a bur may lower when it moves from `from` towards `towards` by up to `reachMm`. Misses
+    /// none, but may copy more than needed. Returns false if there are too many.
     bool collect(const glm::dvec3& from, const glm::dvec3& towards, double reachMm) noexcept
     {
         const double sideways = reachMm * std::sqrt(towards.x * towards.x + towards.y * towards.y);
@@ -75,14 +75,14 @@ struct Advance
         return tooth.kernels().secondsToRemove(columns, headAt(tip), descentTo(tip), secondsPerMm3);
     }
 
-    /// Lowers the copy of every column that a bur with its tip at `tip` would lower, by a share of the way, and adds
+    /// Lowers the copy of every column that a bur with its tip at `tip` would lower, by a share of the path, and adds
     /// the removed volume to `done`.
     void removeTo(const glm::dvec3& tip, float share, Cut& done) const noexcept
     {
         tooth.kernels().remove(columns, headAt(tip), descentTo(tip), share, done.removedMm3);
     }
 
-    /// Lowers the tooth to the copies, and returns where it changed.
+    /// Lowers the tooth to the copies, and returns the rectangle of the changes.
     [[nodiscard]] CutRect giveBack() const noexcept
     {
         CutRect rect;
@@ -109,7 +109,8 @@ Drill::Drill(const settings::HardnessPreset& preset, const settings::Handpiece& 
     : m_preset(preset), m_handpiece(handpiece)
 {}
 
-/// Returns how long each material takes to remove with a push of `forceN` newtons in the direction `towards`.
+/// Returns the time that each material takes to remove when the bur is pushed with `forceN` newtons in the direction
+/// `towards`.
 contact::RemovalTimes Drill::removalTimes(const contact::LiveTooth& tooth, const glm::dvec3& towards,
                                           double forceN) const noexcept
 {
@@ -147,13 +148,13 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
     const glm::dvec3 towards = pull / gap;
     const contact::RemovalTimes secondsPerMm3 = removalTimes(tooth, towards, forceN);
 
-    // The time that removal takes rises with the advance. The advance is bracketed, from the speed of the last tick on,
-    // and then found by false position. If one end does not move, its value is halved (Illinois).
+    // The time that the removal takes increases with the advance. The advance is bracketed, starting from the speed of
+    // the last tick, and then found by false position. If one end does not move, its value is halved (Illinois).
     const double granted = seconds + m_leftS;
     const double aim = kAim * granted;
     double near = 0.0;
     double nearLack = granted;
-    double far = -1.0;  // not found yet
+    double far = -1.0;  // no upper end is known yet
     double farNeeded = 0.0;
     double farExcess = 0.0;
     double spent = 0.0;
@@ -165,7 +166,7 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
         if (tried > listed) {
             listed = std::min(gap, 2.0 * tried);
             while (!advance.collect(anchor, towards, listed))
-                listed *= 0.5;  // too far sideways: take half the way
+                listed *= 0.5;  // the bur moves too far sideways, so half the path is used
             tried = std::min(tried, listed);
         }
         const double needed = advance.secondsTo(anchor + towards * tried, secondsPerMm3);
@@ -193,14 +194,14 @@ Cut Drill::cut(contact::LiveTooth& tooth, const glm::dvec3& anchor, const glm::d
         else
             tried = std::min(gap, tried * std::min(kFarther, needed > 0.0 ? aim / needed : kFarther));
     }
-    // A tick that removed hardly any material is no measure for the next.
+    // A tick that removed hardly any material says nothing about the speed of the next.
     m_lastMmPerS = spent > 0.0 ? near / std::max(spent, 0.5 * granted) : far > 0.0 ? far / farNeeded : 0.0;
     done.tipMm = anchor + towards * near;
     if (spent > 0.0)
         advance.removeTo(done.tipMm, 1.0F, done);
 
-    // When the rim of the bur reaches a column of a high wall, that column may need more than a tick: then no advance
-    // uses up the time. The columns just beyond are lowered by the share of their way that fits the time.
+    // When the rim of the bur reaches a column of a high wall, that column may need more than a tick. No advance then
+    // uses up the time. So the columns just beyond are lowered by the share of their path that fits the time.
     if (far > 0.0 && spent < kCloseEnough * granted) {
         const glm::dvec3 beyond = anchor + towards * far;
         const double part = (granted - spent) / (farNeeded - spent);

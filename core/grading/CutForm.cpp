@@ -20,10 +20,10 @@ using terrain::Grid;
 using terrain::NodeRect;
 using terrain::ToothAnatomy;
 
-constexpr double kAsideMm = 1.5;  ///< half the width in which the cut at an isthmus is searched
+constexpr double kAsideMm = 1.5;  ///< half the width in which the cut is searched at an isthmus
 
-/// Returns the distance along a direction at which the cut begins, from a place outside it, or ends, from a place
-/// inside it. Empty if it does not within mostMm.
+/// Returns the distance along a direction at which the cut begins (from a position outside it) or ends (from a position
+/// inside it). Empty if there is no such place within mostMm.
 std::optional<double> edgeAlong(const Outline& outline, glm::dvec2 fromMm, glm::dvec2 towards, double stepMm,
                                 double mostMm)
 {
@@ -38,7 +38,7 @@ std::optional<double> edgeAlong(const Outline& outline, glm::dvec2 fromMm, glm::
     return {};
 }
 
-/// Measures the axial depth of a box along one line: from the surface of the uncut tooth inwards to the axial wall.
+/// Measures the axial depth of a box along one line, from the surface of the uncut tooth inwards to the axial wall.
 class AxialLine
 {
 public:
@@ -84,18 +84,19 @@ private:
 
 // ---------------------------------------------------------------------------------------------------------- walls
 
-constexpr double kLeastHeightMm = 0.3;  ///< a lower one is no wall
+constexpr double kLeastHeightMm = 0.3;  ///< a lower step is no wall
 constexpr double kFootMm = 0.5;         ///< radius in which the foot of a wall is searched around a place on it
-constexpr double kBandTop = 0.02;       ///< of the way from the cavosurface down to the foot
+constexpr double kBandTop = 0.02;       ///< share of the height from the cavosurface down to the foot
 constexpr double kBandFoot = 0.75;
 constexpr double kHalfStretchMm = 0.35;
 constexpr double kInwardsMm = 0.6;
 constexpr double kOutwardsMm = 0.15;
-/// Cosine of the largest angle between a stretch and the uphill direction of a place that belongs to it.
+/// Cosine of the largest angle between a stretch and the uphill direction of its places.
 constexpr double kSameWay = 0.7;
-constexpr std::size_t kMostStretches = 800;  ///< more add no information
+constexpr std::size_t kMostStretches = 800;  ///< more stretches add no information
 constexpr std::size_t kLeastPlaces = 6;
-/// Share of the wall's height. A stretch is used only if its heights vary by more than the rest explains.
+/// Share of the wall's height. A stretch is used only if its heights vary by more than this after the other terms are
+/// removed.
 constexpr double kLeastSpread = 0.07;
 
 /// A column on the slope of a wall.
@@ -188,7 +189,7 @@ glm::dvec2 Slopes::uphillAt(int i, int j) const
 Slopes::Slopes(const CutSurface& cut) : m_cut(cut), m_foot(cut.anatomy.top), m_number(cut.anatomy.grid.count(), -1)
 {
     const Grid& grid = cut.anatomy.grid;
-    // The ground just outside a cut also has a foot: the wall of the cut begins there.
+    // The ground just outside a cut also has a foot, because the wall of the cut begins there.
     const NodeRect area = terrain::grown(cutArea(), 2, grid);
     if (area.isEmpty())
         return;
@@ -207,7 +208,8 @@ Slopes::Slopes(const CutSurface& cut) : m_cut(cut), m_foot(cut.anatomy.top), m_n
     }
 }
 
-/// A short stretch of wall: offset outwards, position along it and height of its places.
+/// A short stretch of wall. For each place it stores the offset outwards, the position along the stretch, and the
+/// height.
 class Stretch
 {
 public:
@@ -226,11 +228,11 @@ public:
         m_wallMm += place.wallMm;
     }
 
-    /// Fits out = a + b along + c along^2 + tangent height by least squares. Returns the tangent, or empty if the
-    /// heights do not determine it.
+    /// Fits out = a + b along + c along^2 + tangent height by least squares. Returns the tangent; empty if the heights
+    /// do not determine it.
     [[nodiscard]] std::optional<double> fittedTangent();
     [[nodiscard]] std::size_t count() const { return m_out.size(); }
-    /// Returns the tangent from the area of the slope seen from above over its area seen from the side.
+    /// Returns the tangent: the area of the slope seen from above over its area seen from the side.
     [[nodiscard]] double tangentByArea(double cellMm) const
     {
         if (m_out.empty())
@@ -255,7 +257,7 @@ double dotOf(const std::vector<double>& a, const std::vector<double>& b)
     return sum;
 }
 
-/// Removes the component along `what` from `from`.
+/// Removes from `from` its component along `what`.
 void takeOut(std::vector<double>& from, const std::vector<double>& what)
 {
     const double length2 = dotOf(what, what);
@@ -290,7 +292,7 @@ std::optional<double> Stretch::fittedTangent()
     return dotOf(m_out, m_height) / spread2;
 }
 
-/// Direction of the outline around a segment, and whether the outline is straight there. A corner belongs to no wall.
+/// The direction of the outline around a segment, and whether the outline is straight there. Corners belong to no wall.
 struct Facing
 {
     glm::dvec2 outwards{};
@@ -300,14 +302,14 @@ struct Facing
 Facing facingOf(const Outline& outline, const Outline::Segment& segment)
 {
     constexpr double kAroundMm = 0.3;
-    // Length of the mean of unit vectors. A circle of 0.45 mm has 0.93, and so has a right angle 0.27 mm from its
-    // corner.
+    // Limit for the length of the mean of unit vectors. It is 0.93 for a circle of 0.45 mm, and 0.27 mm from the corner
+    // of a right angle.
     constexpr double kStraight = 0.93;
     glm::dvec2 sum(0.0);
     double length = 0.0;
     outline.forEachWithin(segment.middleMm(), kAroundMm, [&](const Outline::Segment& other) {
         if (glm::dot(other.outwards, segment.outwards) < 0.0)
-            return;  // the other side of a narrow place
+            return;  // this is the other side of a narrow place
         sum += other.outwards * other.lengthMm();
         length += other.lengthMm();
     });
@@ -352,7 +354,7 @@ double atanDeg(double tangent)
 {
     constexpr double kDegreesPerRadian = 57.29577951308232;
     const double size = std::abs(tangent);
-    // tan(x / 2) from tan x, twice: at most 11.25 degrees remain for the series.
+    // Computes tan(x / 2) from tan x twice, so that at most 11.25 degrees remain for the series.
     double t = size > 1.0 ? 1.0 / size : size;
     for (int half = 0; half < 2; ++half)
         t /= 1.0 + std::sqrt(1.0 + t * t);
@@ -377,7 +379,7 @@ std::optional<Placed> isthmusOf(const CutSurface& cut, const Preparation::Isthmu
         const glm::dvec2 middle = isthmus.atMm + along * (stepMm * line);
         if (!(ideal.insideMm(middle) > 0.0))
             continue;
-        // The place of this line inside the cut that is nearest to its middle.
+        // The place of this line that is inside the cut and nearest to the middle of the line.
         std::optional<double> start;
         for (double aside = 0.0; aside < kAsideMm && !start; aside += stepMm)
             for (const double at : {aside, -aside})
@@ -420,7 +422,7 @@ std::optional<Placed> axialDepthOf(const CutSurface& cut, const Preparation::Box
 
 std::optional<Placed> obliqueRidgeOf(const CutSurface& cut, std::span<const glm::dvec2> crest)
 {
-    constexpr double kReachMm = 2.5;  // a cavity farther from the crest is not beside it
+    constexpr double kReachMm = 2.5;  // a cavity farther from the crest does not thin it
     const double stepMm = 0.5 * cut.anatomy.grid.cellMm;
     std::optional<Placed> narrowest;
     for (std::size_t n = 1; n + 1 < crest.size(); ++n) {
@@ -467,7 +469,7 @@ std::optional<Placed> ridgeOf(const CutSurface& cut, int sign)
             ++n;
         if (rim == grid.side || n == grid.side)
             continue;
-        // Both in cells from the outermost node: the end of the silhouette in this row, and the start of the cut.
+        // Both are in cells from the outermost node: the end of the silhouette in this row, and the start of the cut.
         const double rimWidth = static_cast<double>(anatomy.areaMm2[grid.index(column(rim), j)]);
         const double outside = rim + 0.5 - std::clamp(rimWidth / (grid.cellMm * grid.cellMm), 0.0, 1.5);
         double edge = n;
@@ -504,7 +506,7 @@ void measureWalls(const CutSurface& cut, Form& form)
     const Grid& grid = cut.anatomy.grid;
     const Slopes slopes(cut);
     Stretch stretch;
-    // Neighbouring segments have nearly the same stretch: some hundred of them are enough.
+    // Neighbouring segments have nearly the same stretch, so some hundred segments are enough.
     const std::span<const Outline::Segment> segments = cut.outline.segments();
     const std::size_t stride = segments.size() / kMostStretches + 1;
     for (std::size_t s = 0; s < segments.size(); s += stride) {

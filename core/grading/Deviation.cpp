@@ -29,8 +29,8 @@ using terrain::ToothAnatomy;
 
 constexpr double kPercentile = 0.95;
 
-/// Heights at which columns ended before, end now and should end. top >= now, top >= ideal, and all are at or above the
-/// under surface of the tooth.
+/// Heights at which columns ended before the cut, end now, and end in the ideal. top >= now, top >= ideal, and all are
+/// at or above the under surface of the tooth.
 struct Ends
 {
     const ToothAnatomy& anatomy;
@@ -65,7 +65,7 @@ bool hasJunction(const ToothAnatomy& anatomy, std::size_t k)
     return wasSolid(anatomy, k) && anatomy.layers[k].dej > anatomy.bottom[k] && anatomy.layers[k].dej < anatomy.top[k];
 }
 
-/// Returns the smallest value for which this share of the total weight has no greater value.
+/// Returns the weighted percentile: the smallest value such that this share of the total weight has no greater value.
 double percentile(std::vector<std::pair<double, double>>& valuesAndWeights, double share)
 {
     std::sort(valuesAndWeights.begin(), valuesAndWeights.end());
@@ -81,7 +81,7 @@ double percentile(std::vector<std::pair<double, double>>& valuesAndWeights, doub
     return valuesAndWeights.empty() ? 0.0 : valuesAndWeights.back().first;
 }
 
-/// Counts nodes of a kind in any rectangle in constant time, from sums over rectangles that begin at the first node.
+/// Counts nodes of a kind in any rectangle in constant time, by sums over the rectangles that begin at the first node.
 class Census
 {
 public:
@@ -227,8 +227,8 @@ std::optional<Placed> gingivalErrorOf(const Ends& ends, const std::vector<Part>&
     return Placed{percentile(sizes, kPercentile), worst.node};
 }
 
-/// Returns the deepest gouge in the floor. It also works for a floor too narrow for the height error: a wall at its
-/// side does not lower it.
+/// Returns the deepest gouge in the floor. It also works for a floor that is too narrow for the height error, because a
+/// wall beside the floor does not lower it.
 Placed gougeOf(const Ends& ends, const std::vector<Part>& parts)
 {
     AreaExcess gouge;
@@ -267,7 +267,7 @@ std::vector<std::vector<std::size_t>> piecesOf(const Ends& ends, const std::vect
     return pieces;
 }
 
-/// @param speaks  for each column, whether it is far enough from a wall; if none of the piece is, all are used
+/// @param speaks  for each column, whether it is far enough from a wall; if no column of the piece is, all are used
 PieceError pieceErrorOf(const Ends& ends, const std::vector<std::size_t>& piece, const std::vector<bool>& speaks)
 {
     const bool anySpeaks = std::any_of(piece.begin(), piece.end(), [&](std::size_t k) { return speaks[k]; });
@@ -305,7 +305,8 @@ std::optional<PieceError> worstPieceOf(const Ends& ends, const std::vector<Part>
     return worst;
 }
 
-/// @param box  its gingival floor is left out if there is a pulpal floor: it ends in enamel towards the outside
+/// @param box  if there is a pulpal floor, the gingival floor is left out, because it ends in enamel towards the
+///             outside
 std::optional<double> intoDentinOf(const Ends& ends, const std::vector<std::size_t>& floor,
                                    const std::optional<Preparation::Box>& box)
 {
@@ -338,7 +339,7 @@ double errorAt(const Ends& ends, std::size_t k)
     return ends.nowAt(k) - ends.idealAt(k);
 }
 
-/// Returns the weighted plane of best fit; empty if all columns are in a row.
+/// Returns the weighted plane of best fit; empty if all columns are on one line.
 std::optional<ErrorPlane> planeThrough(const Ends& ends, const std::vector<std::size_t>& columns,
                                        const std::vector<double>& weights)
 {
@@ -373,8 +374,7 @@ std::optional<ErrorPlane> planeThrough(const Ends& ends, const std::vector<std::
 }
 
 /// Returns the slope of most of a floor along x or y: the median over pairs of its columns kSlopeRunMm apart, so that a
-/// gouge, a step or waves do not change it. Returns 0 if few columns have such a partner: a narrow floor has no
-/// measurable slope across.
+/// gouge, a step or waves have no effect. Returns 0 if there are few such pairs, as across a narrow floor.
 double slopeOfMost(const Ends& ends, const std::vector<std::size_t>& floor, glm::ivec2 along)
 {
     const Grid& grid = ends.anatomy.grid;
@@ -400,7 +400,7 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
                                      const std::optional<Preparation::Box>& box)
 {
     const Grid& grid = ends.anatomy.grid;
-    // An untouched place has no floor yet.
+    // An uncut place has no floor yet.
     std::vector<std::size_t> cut;
     std::vector<double> areas;
     double area = 0.0;
@@ -433,7 +433,7 @@ std::optional<FloorForm> floorFormOf(const Ends& ends, const std::vector<std::si
         for (const auto& [ni, nj] : {std::pair(i + run, j), std::pair(i, j + run)}) {
             if (!grid.contains(ni, nj))
                 continue;
-            // NaN where there is no floor: then this is no step.
+            // NaN where there is no floor; the comparison below is then false.
             const double step = std::abs(rest[grid.index(ni, nj)] - rest[k]);
             if (step > form.stepMm.value)
                 form.stepMm = {step, k};
@@ -537,8 +537,8 @@ constexpr double kCoarseSliceMm = 0.25;
 constexpr double kLeastStepMm = 0.02;  ///< along a rod, where that is more than a quarter of a cell
 
 /// Follows enamel rods down to the enamel-dentin junction. The foot of the rod through a place is the nearest node of
-/// the junction: the way from there is at right angles to the junction. The search goes downhill from the foot of the
-/// place below.
+/// the junction: the path from the foot to the place is at right angles to the junction. The search goes downhill from
+/// the foot of the place below.
 class Rods
 {
 public:
@@ -578,7 +578,7 @@ private:
         return static_cast<double>(m_anatomy.layers[m_grid.index(node.x, node.y)].dej);
     }
 
-    /// Returns whether a cut or decay lies between a column and the feet of its rods.
+    /// Returns whether a cut or decay is between a column and the feet of its rods.
     [[nodiscard]] bool mayComeToHarm(glm::ivec2 column, double junction, double top) const
     {
         NodeRect feet{column.x, column.y, column.x + 1, column.y + 1};
@@ -615,7 +615,7 @@ private:
         return from;
     }
 
-    /// Returns whether the rod through a place is whole down to its foot and ends on dentin.
+    /// Returns whether the rod through a place is complete down to its foot and ends on dentin.
     [[nodiscard]] bool stands(glm::ivec2 column, double z, glm::ivec2 foot) const
     {
         const glm::dvec2 way(foot - column);
@@ -625,7 +625,7 @@ private:
             const double share = static_cast<double>(step) / steps;
             const glm::ivec2 node(glm::dvec2(column) + way * share + 0.5);
             const std::size_t k = m_grid.index(node.x, node.y);
-            // Above the uncut surface, in a fissure, there was no material to cut.
+            // Above the uncut surface, as in a fissure, there was no material to cut.
             const double height = z + (junctionAt(foot) - z) * share;
             if (wasSolid(m_anatomy, k) && static_cast<double>(endOf(m_tooth, k)) < height &&
                 height <= static_cast<double>(m_anatomy.top[k]))
@@ -672,7 +672,7 @@ std::optional<Placed> unsupportedEnamelOf(const Tooth& tooth)
 
 // ---------------------------------------------------------------------------------------------------------- zones
 
-/// The target column nearest to a column beside the target, and the distance between the two.
+/// The target column that is nearest to a column beside the target, and the distance between them.
 struct Nearest
 {
     int cells2 = std::numeric_limits<int>::max();
@@ -737,10 +737,10 @@ Zones zonesOf(const Ends& ends, const Outline& ideal, const Leeway& leeway)
             }
             continue;
         }
-        double share = 0.0;  // of the column's cell that is leeway
+        double share = 0.0;  // share of the column's cell that is leeway
         double floor = under;
         if (nearest[k].cells2 < std::numeric_limits<int>::max()) {
-            // A target shallower than an outline is known only to half a cell.
+            // A target that is too shallow for an outline is known only to half a cell.
             const double apartMm = ideal.segments().empty()
                                        ? grid.cellMm * (std::sqrt(static_cast<double>(nearest[k].cells2)) - 0.5)
                                        : ideal.distanceMm(grid.nodeMm(k));
@@ -775,7 +775,7 @@ Status check(const Tooth& tooth, const Preparation& ideal, const std::optional<L
     if (ideal.isthmus) {
         const Preparation::Isthmus& isthmus = *ideal.isthmus;
         const double across2 = glm::dot(isthmus.across, isthmus.across);
-        // Not written with < and >, so that NaN is refused too.
+        // The conditions are not written with < and >, so that they also refuse NaN.
         const bool isSound = std::isfinite(isthmus.atMm.x) && std::isfinite(isthmus.atMm.y) &&
                              std::abs(across2 - 1.0) <= 1.0e-6 && isthmus.lengthMm >= 0.0 && isthmus.lengthMm <= 100.0;
         if (!isSound)

@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Upper half of a note that holds an answer: "PADS". The lower bytes hold the pad and the material.
+/// Upper half of a note that stores an answer: "PADS". The lower bytes store the pad and the material.
 constexpr std::uint64_t kAnswer = 0x50414453ULL << 32U;
 
 double seconds(std::chrono::microseconds time)

@@ -120,7 +120,7 @@ private:
     Exercise m_exercise;
     Practised m_practised;
     std::chrono::microseconds m_time{0};
-    // For holding a force:
+    // State for holding a force:
     std::chrono::microseconds m_stretch{0};
     std::chrono::microseconds m_off{0};  ///< time outside the band since the stretch last grew
     std::chrono::microseconds m_longest{0};

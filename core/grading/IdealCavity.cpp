@@ -39,7 +39,8 @@ IdealTop idealCavity(const terrain::ToothAnatomy& anatomy)
         const terrain::ColumnLayers& column = anatomy.layers[k];
         const float down = decayGoesDownTo(anatomy, k);
         const float floor = std::max(down, anatomy.bottom[k]);
-        // A lesion that reaches above the surface is open. One that begins there has no part inside the tooth.
+        // A lesion whose roof is above the surface is open. If it begins above the surface, none of it is inside the
+        // tooth.
         if (column.cariesRoof <= down || floor >= top[k] || column.cariesRoof <= anatomy.bottom[k])
             continue;
         top[k] = floor > anatomy.bottom[k] ? floor : terrain::kEmptyTop;

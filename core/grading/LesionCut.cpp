@@ -49,7 +49,7 @@ public:
     {
         return static_cast<double>(std::max((*m_top)[k], m_anatomy.bottom[k]));
     }
-    /// Returns the distance, seen from above, from a place outside to the nearest column.
+    /// Returns the distance, seen from above, from a position outside the cavity to the nearest column.
     [[nodiscard]] double distanceMm(glm::dvec2 placeMm) const
     {
         double least = std::numeric_limits<double>::infinity();
@@ -78,7 +78,7 @@ private:
     std::vector<glm::dvec2> m_edge;
 };
 
-/// Adds the remaining decay of a column to one of the two areas.
+/// Adds the remaining decay of a column to one of the two areas, and updates the largest value of that area.
 void addDecayLeft(const Tooth& tooth, std::size_t k, LesionCut& result, double& mostAtJunction, double& mostOnFloor)
 {
     const Decay left = decayIn(tooth, k);
@@ -167,7 +167,7 @@ Ridges ridgesOf(const ToothAnatomy& anatomy, const std::vector<float>& end)
 void findRidges(const Tooth& tooth, const std::vector<float>& smallest, LesionCut& result)
 {
     const ToothAnatomy& anatomy = *tooth.anatomy;
-    if (!teeth::standsInTheArch(anatomy) || anatomy.fdi % 10 <= 3)  // front teeth have none
+    if (!teeth::standsInTheArch(anatomy) || anatomy.fdi % 10 <= 3)  // front teeth have no marginal ridges
         return;
     std::vector<float> end = anatomy.top;
     std::vector<float> least = anatomy.top;

@@ -26,7 +26,7 @@ double removed(const Measured& m, Material material)
     return m.measures.removedMm3[static_cast<std::size_t>(material)];
 }
 
-/// Returns the result of `say` for the deviation; empty if there is no deviation.
+/// Returns `say` of the deviation; empty if there is no deviation.
 template <class Say>
 auto ofDeviation(const Measured& m, Say say) -> decltype(say(*m.deviation))
 {
@@ -35,7 +35,7 @@ auto ofDeviation(const Measured& m, Say say) -> decltype(say(*m.deviation))
     return say(*m.deviation);
 }
 
-/// Returns the result of `say` for a part of the deviation; empty if the part is absent.
+/// Returns `say` of a part of the deviation; empty if the part is absent.
 template <class Answer, class Part, class Say>
 Answer ofPart(const Measured& m, std::optional<Part> Deviation::*part, Say say)
 {
@@ -50,7 +50,7 @@ Value ofProcess(const Measured& m, Say say)
     return m.process ? Value(say(*m.process)) : std::nullopt;
 }
 
-/// Returns the result of `say` for an exercise of this kind; empty for another kind.
+/// Returns `say` of an exercise of this kind; empty for another kind.
 template <class Kind, class Say>
 Value ofExercise(const Measured& m, Say say)
 {
@@ -68,7 +68,7 @@ Node nodeOf(const std::optional<Placed>& placed)
     return placed ? Node(placed->node) : std::nullopt;
 }
 
-/// Returns the place where a size that is 0 at best is greatest; no place if it is 0.
+/// Returns the place where an error is largest; no place if the largest is 0.
 Node worstOf(const Placed& placed)
 {
     return placed.value > 0.0 ? Node(placed.node) : std::nullopt;
@@ -153,7 +153,7 @@ std::optional<Placed> extremeWall(const Measured& m, double sign)
     return most;
 }
 
-/// Returns whether enough of the ideal is cut to judge its walls and floor. Some holes in it are not enough.
+/// Returns whether enough of the ideal is cut to judge its walls and floor. A few holes are not enough.
 bool isFormed(const Measured& m)
 {
     return m.deviation && m.deviation->undercutMm3 <= (1.0 - kFormedShare) * m.deviation->idealMm3;
@@ -188,7 +188,7 @@ Node worstStep(const Measured& m)
     return floor ? Node(worstOf(floor->stepMm)) : std::nullopt;
 }
 
-/// Returns when the last point was touched; empty until all are touched.
+/// Returns the time when the last point was touched; empty until all are touched.
 Value allTouchedS(const Touched& touched)
 {
     Value last;
@@ -200,7 +200,7 @@ Value allTouchedS(const Touched& touched)
     return last;
 }
 
-/// Returns a size of the cut minus the ideal's.
+/// Returns the difference of a size: that of the cut minus that of the ideal.
 Value formError(const Measured& m, std::optional<Placed> Form::*part)
 {
     const auto here = inForm(m, part);
@@ -209,8 +209,8 @@ Value formError(const Measured& m, std::optional<Placed> Form::*part)
     return here->value - (m.deviation->idealForm.*part)->value;
 }
 
-/// Returns the mesial or the distal ridge (named by `inDeviation` and `inLesion`), in a preparation or after decay was
-/// removed.
+/// Returns the mesial or the distal ridge. `inDeviation` selects it in a preparation, `inLesion` after the removal of
+/// decay.
 std::optional<Placed> ridge(const Measured& m, std::optional<Placed> Form::*inDeviation,
                             std::optional<Placed> LesionCut::*inLesion)
 {
@@ -766,7 +766,7 @@ bool isOfExercise(const MeasureInfo& measure)
 {
     Measured done;
     bool isTold = false;
-    // Only one kind exists at a time.
+    // An attempt has only one kind of exercise, so the table is tested with each.
     for (const Practised& practised : {Practised(Touched{{0.0}}), Practised(Held{1.0, 1.0, 1.0, 1.0, 0.0, true}),
                                        Practised(Named{{terrain::Material::Enamel}, 1})}) {
         done.practised = practised;

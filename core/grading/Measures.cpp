@@ -32,7 +32,7 @@ double soundOf(const PerMaterial& lengths)
     return of(lengths, Material::Enamel) + of(lengths, Material::Dentin);
 }
 
-/// Returns the height down to which a column has to be cut for its decay, mm, or its top if no decay has to go.
+/// Returns the height to which a column has to be cut to remove its decay, mm; its top if no decay has to be removed.
 float neededDownTo(const ToothAnatomy& anatomy, std::size_t k)
 {
     const ColumnLayers& column = anatomy.layers[k];
@@ -82,7 +82,7 @@ double largestIsland(const Tooth& tooth)
 
 constexpr int kTileSide = 8;
 
-/// A square of columns and its extreme height: the lowest end, or the highest roof.
+/// A square of columns with its extreme height: the lowest end, or the highest roof.
 struct Tile
 {
     int i = 0;
@@ -90,7 +90,7 @@ struct Tile
     double heightMm = 0.0;
 };
 
-/// Returns the tiles in which `heightOf` has a value that is not NaN; `sign` -1 keeps lowest heights.
+/// Returns the tiles in which `heightOf` has a value that is not NaN. With `sign` -1 they store lowest heights.
 template <class HeightOf>
 std::vector<Tile> tilesWith(const terrain::Grid& grid, double sign, HeightOf heightOf)
 {
@@ -158,7 +158,7 @@ NearestPulp remainingOverPulp(const Tooth& tooth)
         }
     };
 
-    // The most promising pair comes first: its result rules out nearly all others.
+    // Starts with the pair of tiles that has the shortest bound: its result excludes nearly all others.
     const Tile* bestPulp = nullptr;
     const Tile* bestCut = nullptr;
     double promise = kFarMm;

@@ -85,11 +85,11 @@ glm::ivec2 Outline::binAt(glm::dvec2 pointMm) const
     return {glm::clamp(bin, glm::dvec2(0.0), glm::dvec2(m_binsASide - 1))};
 }
 
-/// Adds the segments between node (i, j) and the next ones (marching squares). If two opposite corners are inside, the
-/// mean of the four decides whether they are connected.
+/// Adds the segments of the square between node (i, j) and the next nodes (marching squares). If two opposite corners
+/// are inside, the mean of the four decides whether they are connected.
 void Outline::trace(int i, int j)
 {
-    // Corners counter-clockwise from (i, j).
+    // Corners of the square, counter-clockwise from (i, j).
     constexpr std::array<std::array<int, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     std::array<double, 4> inside{};
     int count = 0;
@@ -123,7 +123,7 @@ void Outline::trace(int i, int j)
         add(0, 1);
         return;
     }
-    // A saddle, crossed on all four sides: 0 below, 1 right, 2 above, 3 left.
+    // A saddle: the outline crosses all four sides, 0 below, 1 right, 2 above, 3 left.
     const bool middleIsInside = inside[0] + inside[1] + inside[2] + inside[3] > 0.0;
     const bool firstIsInside = inside[0] > 0.0;
     if (middleIsInside == firstIsInside) {
@@ -137,7 +137,7 @@ void Outline::trace(int i, int j)
 
 double Outline::distanceMm(glm::dvec2 pointMm) const
 {
-    // Squares in rings around the square of the point: those of ring n are at least n - 1 squares away.
+    // Searches in rings around the square of the point: the squares of ring n are at least n - 1 squares away.
     const glm::ivec2 own = binAt(pointMm);
     const double binMm = kBinSide * m_grid.cellMm;
     double best = std::numeric_limits<double>::infinity();

@@ -133,7 +133,7 @@ void ProcessMeter::takeContact(const servo::ServoState& state, Micros dt) noexce
     m_histogram[static_cast<std::size_t>(std::clamp(newtons / kBinN, 0.0, kBins - 1.0))] += dt;
 }
 
-/// Forgets the samples from which the next jerk would be computed.
+/// Discards the samples from which the next jerk would be computed.
 void ProcessMeter::forgetMotion() noexcept
 {
     m_blockFor = 0;
@@ -183,7 +183,7 @@ Process::Force ProcessMeter::force() const noexcept
         }
         below += here;
     }
-    // Beyond the last bin only the largest force is known.
+    // In the last bin only the largest force is known.
     if (force.p95N > kBinN * (kBins - 1.0))
         force.p95N = m_largestN;
     return force;

@@ -20,7 +20,7 @@ using terrain::Grid;
 using terrain::ToothAnatomy;
 
 constexpr float kScratchMm = 0.1F;
-/// The search for holes floods the whole tooth, so it is made at most this often.
+/// Searching for holes floods the whole tooth, so the search runs at most once in so many ticks.
 constexpr std::uint64_t kTicksBetweenHoles = 50;
 
 /// Returns how far each column lies outside the ideal's cut; 0 inside.
@@ -32,8 +32,8 @@ std::vector<float> besideOf(const ToothAnatomy& anatomy, const std::vector<float
     return teeth::distanceInside(anatomy.grid, kept, teeth::Beyond::Marked);
 }
 
-/// Returns the distance along x from each column to the nearer end of its row, over the middle half of the rows. Beyond
-/// them it is infinite.
+/// Returns the distance along x from each column to the nearer end of its row, over the middle half of the rows. In the
+/// other rows it is infinite.
 std::vector<float> ridgeOf(const ToothAnatomy& anatomy)
 {
     const Grid& grid = anatomy.grid;
@@ -92,7 +92,7 @@ std::vector<Infraction> RuleChecker::look(const servo::ServoState& state, const 
     m_now.tick = state.tick;
     m_now.seconds = std::chrono::duration<double>(m_time).count();
     m_now.placeMm = state.anchorMm;
-    // Without a device there is no bur: only the time counts.
+    // Without a device there is no bur, so only the time is checked.
     if ((state.health & servo::kDeviceLost) != 0) {
         m_pressed = {};
         return {};
@@ -156,7 +156,7 @@ void RuleChecker::lookBeside(const servo::ServoState& state)
             }
         }
     }
-    // Reported once until the bur has left, however often it is stopped there.
+    // Reports a violation once, until the bur has left the region, even if it stops there several times.
     if (!isIn)
         standing(RuleViolation::NeighbourHit) = false;
     else if (state.drillOn)
@@ -200,7 +200,7 @@ void RuleChecker::restored(const terrain::Tooth& tooth)
     for (const RuleViolation mended : {RuleViolation::PulpExposed, RuleViolation::Perforated, RuleViolation::TooDeep,
                                        RuleViolation::RidgeCut, RuleViolation::WrongPlace})
         standing(mended) = false;
-    // Damage of the earlier state is not reported again.
+    // Damage of the tooth before this state is not reported again.
     m_found.clear();
     lookAtColumns({0, 0, tooth.grid().side - 1, tooth.grid().side - 1}, tooth);
     if (m_mayBeHole && hasHole(tooth))

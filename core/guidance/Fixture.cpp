@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kBeginsOverMm = 0.5;  ///< over the top of the crown; at full strength as far below it
 constexpr double kFadesMm = 1.0;
-/// The axis of a bur may come this much nearer to the outline than its radius: a shape is as wide as the bur that cuts
-/// it, and a grid has an edge only to half a cell.
+/// The axis of a bur may come nearer to the outline than its radius by this much: a shape may be as wide as the bur,
+/// and a grid has an edge only to half a cell.
 constexpr double kSlackMm = 0.1;
 
 /// Smoothstep from 0 to 1, and its slope.
@@ -53,7 +53,7 @@ Fixture::Fixture(const terrain::ToothAnatomy& anatomy, const std::vector<float>&
             marked[k] = mayBe ? 0 : 1;
             fits = fits || mayBe;
         }
-        // A bur that does not fit into the shape gets no lead.
+        // A bur that does not fit into the shape gets no fixture.
         m_besideMm.push_back(fits ? teeth::distanceInside(m_grid, marked, teeth::Beyond::Marked)
                                   : std::vector<float>(inside.size(), 0.0F));
     }
@@ -64,7 +64,7 @@ glm::dvec3 Fixture::forceN(const glm::dvec3& tip, std::size_t bur) const noexcep
     const glm::dvec2 at = m_grid.latticeOf({tip.x, tip.y});
     const double i0 = std::floor(at.x);
     const double j0 = std::floor(at.y);
-    // The slope at a node needs its neighbours. The condition is false for NaN as well.
+    // The slope at a node needs its neighbours. The condition is also false for NaN.
     if (!(i0 >= 1.0 && j0 >= 1.0 && i0 + 3.0 <= m_grid.side && j0 + 3.0 <= m_grid.side) || bur >= m_mapOfBur.size())
         return glm::dvec3(0.0);
     const int i = static_cast<int>(i0);

@@ -25,8 +25,8 @@ bool hasCentralPit(int fdi)
     return fdi % 10 > 5 || fdi == 35 || fdi == 45;
 }
 
-/// The crown of a tooth seen from above, with mesial towards -x. A share is a distance distal of the middle, in
-/// mesiodistal widths of the crown.
+/// The crown of a tooth seen from above, with mesial towards -x. A share is a distance, in mesiodistal widths of the
+/// crown, that is positive distal of the middle.
 class Crown
 {
 public:
@@ -43,7 +43,7 @@ public:
         m_widthMm = distalMm - mesialMm;
     }
 
-    /// Returns whether the ideal removes something of a column.
+    /// Returns whether the ideal cuts a column.
     [[nodiscard]] bool isRemoved(std::size_t k) const
     {
         return grading::wasSolid(m_anatomy, k) && m_ideal[k] < m_anatomy.top[k];
@@ -95,7 +95,7 @@ private:
     }
 
     /// Returns whether the ideal removes no lower node near this one. A slope has its lowest node at the end of a
-    /// stretch, and that is no pit.
+    /// stretch, which is no pit.
     [[nodiscard]] bool isLowestAround(std::size_t node) const
     {
         const terrain::Grid& grid = m_anatomy.grid;
@@ -140,7 +140,7 @@ std::vector<PlacedLandmark> findLandmark(Landmark landmark, const terrain::Tooth
         if (node)
             found.push_back({which, anatomy.grid.nodeMm(*node)});
     };
-    // Without a central pit, the other two pits reach to the middle.
+    // Without a central pit, the ranges of the other two pits extend to the middle.
     const double middleEnds = hasCentralPit(anatomy.fdi) ? kMiddleEnds : 0.0;
     const auto mesial = [&] { return crown.ridge(-1.0); };
     const auto distal = [&] { return crown.ridge(1.0); };

@@ -13,7 +13,7 @@ std::optional<double> marginMm(const terrain::ToothAnatomy& anatomy, const std::
     const glm::dvec2 at = grid.latticeOf({tip.x, tip.y});
     const double reach = (bur.headRadiusMm + kToldMm) / grid.cellMm;
     const auto last = static_cast<double>(grid.side - 1);
-    // The condition is false for NaN as well.
+    // The condition is also false for NaN.
     if (!(at.x > -reach && at.y > -reach && at.x < last + reach && at.y < last + reach))
         return std::nullopt;
     const auto from = [](double v) { return std::max(0, static_cast<int>(std::ceil(v))); };
@@ -30,7 +30,7 @@ std::optional<double> marginMm(const terrain::ToothAnatomy& anatomy, const std::
             const double under = std::min(radius, bur.headRadiusMm);
             const double above = tip.z + bur.undersideMm(under) - static_cast<double>(ideal[k]);
             const double beside = radius - under;
-            if (beside == 0.0)  // below the bur: the way out is up or sideways
+            if (beside == 0.0)  // the point is below the bur, so the nearest way out is up or sideways
                 margin = std::min(margin, above > 0.0 ? above : std::max(above, radius - bur.headRadiusMm));
             else if (above > 0.0)
                 margin = std::min(margin, std::sqrt(beside * beside + above * above));

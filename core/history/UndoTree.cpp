@@ -30,10 +30,9 @@ UndoTree::Node& UndoTree::add(ToothMoment moment, Node* parent)
     return node;
 }
 
-/// Removes a moment without successors, or the first one if it has a single successor.
+/// Removes a moment that has no successors, or the first moment if it has only one.
 void UndoTree::remove(Node& node)
 {
-    // A moment that others came from stays, unless it is the first and has one way on.
     assert(&node != m_at);
     assert(node.parent != nullptr ? node.children.empty() : node.children.size() == 1);
     m_bytes -= listBytes(node.moment.top);

@@ -25,10 +25,10 @@ using terrain::ToothAnatomy;
 
 constexpr double kLevelMm = 0.25;     ///< between two sections of a root
 constexpr double kLeastRootMm = 2.5;  ///< a shorter one is a bump of the under surface, not a root
-// A root tapers: near its tip it has at most this share of the area of its neck. A scan may end in a flat face, which
-// is no apex.
+// Largest share of the area of its neck that a root has near its tip. A root of a scan that ends in a flat face has no
+// apex.
 constexpr double kTaper = 0.6;
-constexpr double kFurcationMm = 1.5;   ///< below a furcation: there roots widen towards each other, and canals do not
+constexpr double kFurcationMm = 1.5;   ///< below a furcation, where roots widen towards each other but canals do not
 constexpr double kOverlapMm = 1.5;     ///< length of a canal inside the pulp of the model, in a tooth with one root
 constexpr double kAboveApexMm = 0.5;   ///< distance between the end of a canal and the apex: the apical constriction
 constexpr double kCanalAcross = 0.17;  ///< width of a canal at its orifice, as a share of the width of the root
@@ -41,7 +41,7 @@ constexpr double kLeastDentinMm = 0.55;  ///< least thickness of the dentin belo
 /// width of each, as a share of that of a single canal.
 constexpr double kAsideShare = 0.5;
 constexpr double kOfTwoShare = 0.55;
-constexpr double kJoinMm = 6.0;  ///< a canal that ends no farther below the chamber than this is joined to it
+constexpr double kJoinMm = 6.0;  ///< a canal that ends at most this far below the chamber is joined to it
 
 /// The section of a root at one height.
 struct RootSection
@@ -58,8 +58,8 @@ struct Root
     std::vector<RootSection> sections;
 };
 
-/// Finds the roots of a tooth: a level rises from below, and the columns whose under surface lies below it form
-/// islands. An island that is high enough when it meets another one is a root.
+/// Finds the roots of a tooth. A level rises from below, and the columns whose under surface is below it form islands.
+/// An island that is high enough when it meets another one is a root.
 class RootFinder
 {
 public:
@@ -180,8 +180,8 @@ private:
     std::vector<Root> m_roots;
 };
 
-/// Returns where a canal opens into the chamber: at the place of the pulp nearest to the root, shifted inwards so that
-/// the canal lies under the chamber.
+/// Returns where a canal opens into the chamber: at the point of the pulp nearest to the root, shifted inwards so that
+/// the canal is under the chamber.
 /// @param pulp  the points of the floor of the pulp, not empty
 glm::dvec2 mouthOver(const std::vector<glm::dvec3>& pulp, glm::dvec2 rootMm)
 {
@@ -198,7 +198,7 @@ glm::dvec2 mouthOver(const std::vector<glm::dvec3>& pulp, glm::dvec2 rootMm)
     return far > 0.0 ? nearest + inwards * std::min(1.0, kMostRadiusMm / far) : nearest;
 }
 
-/// Returns the part of a root in which one of its two canals runs: the buccal or the lingual half.
+/// Returns the half of a root, buccal or lingual, that contains one of its two canals.
 /// @param side  -1 or 1, along y
 Root halfOf(Root root, double side)
 {
@@ -209,8 +209,8 @@ Root halfOf(Root root, double side)
     return root;
 }
 
-/// Returns for each canal the root, or the part of a root, that it runs in. The mesial root of a lower first or second
-/// molar has two canals, as a rule; every other root has one.
+/// Returns for each canal the root, or the part of a root, that contains it. The mesial root of a lower first or second
+/// molar usually has two canals; every other root has one.
 std::vector<Root> canalRoots(const std::vector<Root>& roots, int fdi)
 {
     const bool isLowerMolar = fdi == 36 || fdi == 37 || fdi == 46 || fdi == 47;
@@ -254,8 +254,8 @@ std::vector<RootSection> canalIn(const Root& root, glm::dvec2 mouthMm, double to
     return canal;
 }
 
-/// Returns the lowest and the highest point of a canal on the vertical line through a place. If the line does not meet
-/// the canal, the first is the higher one.
+/// Returns the lowest and the highest point of a canal on a vertical line. If the line does not meet the canal, the
+/// first value is higher than the second.
 std::pair<double, double> rangeOf(const std::vector<RootSection>& canal, glm::dvec2 atMm)
 {
     std::pair<double, double> range{1.0e9, -1.0e9};
@@ -312,7 +312,7 @@ std::shared_ptr<const ToothAnatomy> made(const std::shared_ptr<const ToothAnatom
     auto pictured = std::make_shared<ToothAnatomy>(*anatomy);
     for (Root& root : roots) {
         const glm::dvec2 mouth = isSingle ? glm::dvec2(lowest) : mouthOver(pulp, root.sections.back().middleMm);
-        // In a single root the pulp of the model is also the canal, as far as it reaches.
+        // In a tooth with one root, the pulp of the model is also the canal, as far as it extends.
         const double topMm = isSingle ? std::min(reachMm, lowest.z + kOverlapMm) : reachMm;
         const double neckMm = std::min(root.sections.back().heightMm, topMm) - kFurcationMm;
         while (root.sections.size() > 1 && root.sections.back().heightMm > neckMm)
@@ -331,7 +331,7 @@ terrain::Tooth withCanals(terrain::Tooth tooth)
     struct Known
     {
         std::weak_ptr<const ToothAnatomy> of;
-        std::shared_ptr<const ToothAnatomy> pictured;  ///< null: the anatomy itself, which must not keep itself alive
+        std::shared_ptr<const ToothAnatomy> pictured;  ///< null: the anatomy itself, because it must not own itself
     };
     static std::mutex guard;
     static std::map<const ToothAnatomy*, Known> known;

@@ -22,17 +22,18 @@ using terrain::Grid;
 using terrain::Tooth;
 using terrain::ToothAnatomy;
 
-/// Optical density of a film that was developed unexposed, and of a fully black one.
+/// Optical density of a developed film that was not exposed, and of a fully black one.
 constexpr double kFog = 0.2;
 constexpr double kBlackest = 3.0;
-/// Below this a direction counts as perpendicular to an axis.
+/// Below this value, a direction counts as perpendicular to an axis.
 constexpr double kSquare = 1.0e-12;
 
-/// The beam and the film in the common frame. A point is u * across + v * up + q * along, q the way along the ray.
+/// The beam and the film in the common frame. A point is u * across + v * up + q * along, where q is measured along the
+/// ray.
 struct Film
 {
     glm::dvec2 along;   ///< horizontal direction of the beam
-    glm::dvec2 across;  ///< u, to the right as one looks along the beam
+    glm::dvec2 across;  ///< direction of u, to the right when looking along the beam
     double cosTilt;
     double sinTilt;
 
@@ -40,11 +41,11 @@ struct Film
         : along(std::cos(beam.angleRad), std::sin(beam.angleRad)), across(along.y, -along.x),
           cosTilt(std::cos(beam.tiltRad)), sinTilt(std::sin(beam.tiltRad))
     {}
-    /// v of the point that lies `s` along the beam's horizontal direction at height z.
+    /// Returns v of the point at height z that is `s` along the horizontal direction of the beam.
     [[nodiscard]] double v(double s, double z) const { return z * cosTilt - s * sinTilt; }
 };
 
-/// Returns the place of a point of a film without a roll on the film turned by the roll.
+/// Returns the position of a point on the film turned by the roll, from its position on a film without roll.
 glm::dvec2 rolled(glm::dvec2 point, double rollRad)
 {
     const double cosine = std::cos(rollRad);
@@ -52,7 +53,7 @@ glm::dvec2 rolled(glm::dvec2 point, double rollRad)
     return {cosine * point.x + sine * point.y, cosine * point.y - sine * point.x};
 }
 
-/// Returns the attenuation between pixels; 0 beyond the rim.
+/// Returns the attenuation at a point between pixels; 0 outside the film.
 float attenuationAt(const Shadow& shadow, glm::dvec2 point)
 {
     const double column = (point.x - shadow.area.lowMm.x) / shadow.pixelMm - 0.5;
@@ -94,7 +95,7 @@ void clip(double base, double slope, double lowest, double highest, double& from
     to = std::min(to, std::max(a, b));
 }
 
-/// The rays of one column of pixels. They are in one vertical plane and cross the same columns of a tooth.
+/// The rays of one column of pixels. They are in one vertical plane, so they cross the same columns of a tooth.
 class PixelColumn
 {
 public:
@@ -136,7 +137,7 @@ private:
 /// Calls visit(node, s0, s1) for the cells that the horizontal line start + s * direction crosses, in order.
 void walkCells(const Grid& grid, glm::dvec2 start, glm::dvec2 direction, const auto& visit)
 {
-    // In cells, so that cell (i, j) is [i, i + 1] x [j, j + 1].
+    // Positions are in cells, so that cell (i, j) is [i, i + 1] x [j, j + 1].
     const glm::dvec2 origin = grid.latticeOf(start) + 0.5;
     const glm::dvec2 step = direction / grid.cellMm;
     double s = -std::numeric_limits<double>::max();
@@ -200,7 +201,7 @@ void addTooth(const XrayedTooth& xrayed, const Film& film, double u, const terra
     });
 }
 
-/// Casts the shadow without the roll, over the whole area of the turned film, and turns it.
+/// Casts the shadow without the roll, over the whole area of the turned film, then turns it.
 Shadow turnedShadow(std::span<const XrayedTooth> teeth, const Beam& beam, const FilmArea& area, double pixelMm,
                     const terrain::PerMaterial& perMm)
 {
@@ -299,10 +300,10 @@ Shadow castShadow(std::span<const XrayedTooth> teeth, const Beam& beam, const Fi
 double usualExposure(const terrain::ToothAnatomy& anatomy, const Beam& beam)
 {
     constexpr double kPixelMm = 0.25;
-    constexpr float kTooth = 0.05F;      // a weaker shadow is the rim of the tooth
+    constexpr float kTooth = 0.05F;      // a weaker shadow counts as the rim of the tooth
     constexpr double kCrownShare = 0.9;  // of the rays through the tooth: the crown is where it weakens most
     constexpr double kMolar = 1.95;      // attenuation of that ray through a molar
-    // The tooth does not own the anatomy; it ends with this call.
+    // A pointer without ownership: the tooth exists only during this call.
     const Tooth tooth(std::shared_ptr<const ToothAnatomy>(std::shared_ptr<const ToothAnatomy>(), &anatomy));
     const XrayedTooth one{&tooth};
     Shadow shadow = castShadow(std::span(&one, 1), beam, shadowArea(std::span(&one, 1), beam, 0.0), kPixelMm);

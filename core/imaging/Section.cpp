@@ -32,7 +32,7 @@ float mixed(const Corners& around, const auto& value)
     return sum;
 }
 
-/// Mixes a layer with two interfaces if all four columns have it; otherwise takes that of the nearest column.
+/// Interpolates a layer with two interfaces if all four columns have it. Otherwise uses that of the nearest column.
 void mixLens(const Corners& around, const auto& roof, const auto& floor, float& mixedRoof, float& mixedFloor)
 {
     const bool everywhere =

@@ -48,7 +48,7 @@ private:
         return m_kept[vertex];
     }
 
-    /// Returns the vertex where an edge crosses the plane. Both triangles of the edge share it.
+    /// Returns the vertex where an edge crosses the plane. Both triangles of the edge share this vertex.
     std::uint32_t crossing(std::uint32_t a, std::uint32_t b)
     {
         const auto [low, high] = std::minmax(a, b);
@@ -62,7 +62,7 @@ private:
         return found->second;
     }
 
-    /// Adds the part of a triangle above the plane, which has three corners or four.
+    /// Adds the part of a triangle above the plane, which has three or four corners.
     void add(const std::array<std::uint32_t, 3>& triangle)
     {
         std::array<std::uint32_t, 4> corners{};
@@ -81,7 +81,7 @@ private:
 
     const TriangleMesh& m_mesh;
     double m_height;
-    std::vector<std::uint32_t> m_kept;  ///< [vertex of the mesh] its place in the result
+    std::vector<std::uint32_t> m_kept;  ///< [vertex of the mesh] its index in the result
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_crossings;
     TriangleMesh m_result;
 };

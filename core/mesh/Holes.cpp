@@ -10,7 +10,7 @@
 namespace core::mesh {
 namespace {
 
-/// Vertices that merge into holes (union-find over the few vertices that lie on a boundary).
+/// Groups the vertices of each hole (union-find over the few vertices on a boundary).
 class BoundaryGroups
 {
 public:

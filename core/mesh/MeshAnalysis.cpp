@@ -20,7 +20,7 @@ bool isCollapsed(const Corners& t)
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Sets of triangles that merge (union-find with path halving).
+/// Groups connected triangles (union-find with path halving).
 class Groups
 {
 public:
@@ -55,7 +55,7 @@ struct EdgeUses
     std::vector<EdgeUse> uses;         ///< by lower vertex, then by higher vertex, then by face
 };
 
-/// Sorts by lower vertex (counting sort), and then the few edges of each vertex.
+/// Sorts by lower vertex (counting sort), then sorts the few edges of each vertex.
 EdgeUses collectEdges(const TriangleMesh& mesh)
 {
     EdgeUses edges;
@@ -89,7 +89,7 @@ EdgeUses collectEdges(const TriangleMesh& mesh)
 
 std::size_t countDuplicates(const TriangleMesh& mesh)
 {
-    // Stored by lowest vertex. A vertex has few faces, so each list is short.
+    // Stored by lowest vertex. A vertex has few faces, so the lists are short.
     std::vector<std::uint32_t> begin(mesh.vertices.size() + 1, 0);
     for (const Corners& t : mesh.triangles)
         if (!isCollapsed(t))
@@ -123,7 +123,7 @@ bool encloses(const TriangleMesh& mesh, const MeshFacts& facts, std::uint32_t sh
             continue;
         const Corners& t = mesh.triangles[k];
         const std::array<glm::dvec3, 3> c{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-        // Half-open in y, so that a ray through a shared edge or corner counts once.
+        // The interval is half-open in y, so that a ray through a shared edge or corner counts once.
         bool insideOutline = false;
         for (std::size_t a = 0, b = 2; a < 3; b = a++)
             if ((c[a].y > p.y) != (c[b].y > p.y) &&
@@ -140,7 +140,7 @@ bool encloses(const TriangleMesh& mesh, const MeshFacts& facts, std::uint32_t sh
 
 void findNested(const TriangleMesh& mesh, MeshFacts& facts)
 {
-    // Every test visits the whole mesh.
+    // Every test visits the whole mesh, so the number of shells is limited.
     if (facts.shells.size() < 2 || facts.shells.size() > kMostNestedShells)
         return;
     std::vector<glm::dvec3> probe(facts.shells.size());
@@ -153,7 +153,7 @@ void findNested(const TriangleMesh& mesh, MeshFacts& facts)
             const Shell& out = facts.shells[outer];
             const bool boxInBox = in.low.x > out.low.x && in.low.y > out.low.y && in.low.z > out.low.z &&
                                   in.high.x < out.high.x && in.high.y < out.high.y && in.high.z < out.high.z;
-            // The largest that encloses it is the outermost.
+            // The largest shell that encloses this one is the outermost.
             const bool outermost = !in.inside || std::abs(out.volume) > std::abs(facts.shells[*in.inside].volume);
             if (inner != outer && out.closed && boxInBox && outermost && encloses(mesh, facts, outer, probe[inner]))
                 facts.shells[inner].inside = outer;
@@ -173,7 +173,7 @@ void measure(const TriangleMesh& mesh, MeshFacts& facts)
         shell.low = facts.high;
         shell.high = facts.low;
     }
-    // About the middle of the box, so that no digits are lost far from the origin.
+    // Computed relative to the middle of the box, so that no digits are lost far from the origin.
     const glm::dvec3 middle = (facts.low + facts.high) * 0.5;
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
         const Corners& t = mesh.triangles[k];
@@ -236,7 +236,7 @@ MeshFacts analyse(const TriangleMesh& mesh)
         }
     }
 
-    // Debris of millions of pieces is possible, so memory is reserved once.
+    // A mesh may have millions of small pieces, so memory is reserved once.
     std::size_t pieceCount = 0;
     for (std::uint32_t k = 0; k < mesh.triangles.size(); ++k)
         pieceCount += pieces.find(k) == k && !isCollapsed(mesh.triangles[k]) ? 1U : 0U;

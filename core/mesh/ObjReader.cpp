@@ -92,8 +92,8 @@ private:
         return {};
     }
 
-    /// Returns the index of the position from "7", "7/1", "7//3" or "-1/1/1". Vertices may follow the face that names
-    /// them.
+    /// Returns the index of the position from "7", "7/1", "7//3" or "-1/1/1". A face may refer to vertices that follow
+    /// it in the file.
     std::optional<std::uint32_t> cornerIndex(std::string_view word)
     {
         std::int64_t number = 0;
@@ -143,7 +143,7 @@ private:
 
     std::string m_name;
     MeshFile m_file;
-    std::vector<Polygon> m_polygons;  ///< cut when all vertices are known
+    std::vector<Polygon> m_polygons;  ///< triangulated when all vertices are known
     std::size_t m_line = 0;
     std::size_t m_thinFaces = 0;
     std::uint32_t m_highest = 0;

@@ -25,12 +25,12 @@ constexpr std::array<std::pair<std::string_view, Axis>, 6> kAxisNames{{{"+x", Ax
 // span a decade around that, so that mm, cm and m neither overlap nor leave a gap.
 constexpr double kLeastSizeMm = 4.0;
 constexpr double kMostSizeMm = 40.0;
-// With a unit that a person gave, the limits are those of a height map; beyond the ones above there is only a warning.
-// The sentinels of empty columns are at 1e6.
+// If a person gave the unit, these limits of a height map apply; outside the limits above there is only a warning.
+// Empty columns are stored as 1e6.
 constexpr double kLeastGivenMm = 0.5;
 constexpr double kMostGivenMm = 100.0;
 constexpr double kMostCoordinateMm = 1.0e4;
-// Depth below the highest point in which the crown's outline is taken: crowns are 6.5 to 11 mm high.
+// Depth below the highest point at which the outline of the crown is taken: crowns are 6.5 to 11 mm high.
 constexpr double kCrownDepthMm = 8.0;
 
 std::string inWords(double value)
@@ -73,8 +73,9 @@ LengthUnit guessUnit(double size, std::string& reason, std::vector<std::string>&
     return fitted;
 }
 
-/// Returns the area of the faces within `depth` of one end of the axis, projected on it. If the end narrows steadily,
-/// that is the cross-section at that depth, whatever the direction of the faces: large for a crown, small for roots.
+/// Returns the area of the faces within `depth` of one end of the axis, projected on the axis. If the end narrows
+/// steadily, that is the cross-section at that depth, whatever the direction of the faces: large for a crown, small for
+/// roots.
 double endArea(const TriangleMesh& mesh, const MeshFacts& facts, int axis, double sign, double depth)
 {
     double sum = 0.0;
@@ -102,7 +103,7 @@ std::string fileAxis(int axis)
 Axis guessUp(const TriangleMesh& mesh, const MeshFacts& facts, std::string& reason, std::vector<std::string>& warnings)
 {
     const glm::dvec3 size = facts.high - facts.low;
-    // 1. An open scan: the area vectors of the faces add up to a vector that points away from the opening.
+    // 1. An open scan: the sum of the area vectors of the faces points away from the opening.
     const glm::dvec3 v = facts.areaVector;
     int axis = std::abs(v.x) > std::abs(v.y) ? 0 : 1;
     axis = std::abs(v.z) > std::abs(v[axis]) ? 2 : axis;
@@ -111,7 +112,7 @@ Axis guessUp(const TriangleMesh& mesh, const MeshFacts& facts, std::string& reas
         reason = "guessed: the scan is open and its opening looks the other way";
         return up;
     }
-    // 2. A model cut off flat: the flat side is below.
+    // 2. A model with a flat cut: the flat side is at the bottom.
     int flatSides = 0;
     Axis flatUp = Axis::PlusZ;
     for (int k = 0; k < 3; ++k)

@@ -64,7 +64,7 @@ struct Element
 
 enum class Encoding { Ascii, LittleEndian, BigEndian };
 
-/// The values of the body in order, whatever their encoding. Doubles hold every PLY scalar exactly.
+/// Reads the values of the body in order, in any encoding. A double can store every PLY scalar exactly.
 class Body
 {
 public:
@@ -75,7 +75,7 @@ public:
 
     [[nodiscard]] std::size_t bytesLeft() const { return m_rest.size(); }
 
-    /// Returns the fewest bytes that one such value can take.
+    /// Returns the smallest number of bytes of one such value.
     [[nodiscard]] std::size_t leastBytes(Scalar type) const { return m_encoding == Encoding::Ascii ? 1 : sizeOf(type); }
 
 private:
@@ -153,7 +153,7 @@ public:
     }
 
 private:
-    /// Returns where the body begins; empty, with m_headerFault set, if there is no usable header.
+    /// Returns the offset of the body; empty, with m_headerFault set, if there is no usable header.
     std::optional<std::size_t> readHeader(std::string_view bytes)
     {
         bool encodingGiven = false;
@@ -227,7 +227,7 @@ private:
 
     Status takeElement(const Element& element, Body& body)
     {
-        // A count may be any number. The remaining bytes limit it, so that no loop runs on the count alone.
+        // The count in the file may be any number, so the remaining bytes limit the loop.
         std::size_t rowBytes = 0;
         for (const Property& property : element.properties)
             rowBytes += body.leastBytes(property.countType.value_or(property.type));
@@ -276,7 +276,7 @@ private:
         const bool coordinate = property.name == "x" || property.name == "y" || property.name == "z";
         if (!vertices || !coordinate)
             return {};
-        // Beyond the range of float, the conversion itself would be undefined.
+        // Converting a value outside the range of float would be undefined behaviour.
         if (!(std::abs(*value) <= static_cast<double>(std::numeric_limits<float>::max())))
             return unexpected(ErrorCode::BadNumber, m_name + ", vertex " + std::to_string(row + 1) +
                                                         ": a coordinate is not a finite number; export the mesh again");
@@ -354,7 +354,7 @@ private:
     Encoding m_encoding = Encoding::Ascii;
     std::vector<Element> m_elements;
     MeshFile m_file;
-    std::vector<Polygon> m_polygons;  ///< cut when all vertices are known
+    std::vector<Polygon> m_polygons;  ///< triangulated when all vertices are known
     std::size_t m_thinFaces = 0;
 };
 

@@ -12,24 +12,24 @@
 namespace core::mesh {
 namespace {
 
-/// A larger fan would be needles, which cost the rasteriser much time. Ears are cut all around instead.
+/// A larger fan would consist of needles, which are slow to rasterise. Such polygons are cut by ears instead.
 constexpr std::size_t kMostFanCorners = 32;
-/// Tests of a point against an ear that one file may take, a few nanoseconds each.
+/// Largest number of tests of a point against an ear for one file. A test takes a few nanoseconds.
 constexpr double kMostTests = 1.0e9;
 
-/// Returns twice the signed area: positive if a, b, c turn left. Differences of floats need little rounding.
+/// Returns twice the signed area: positive if a, b, c turn left. Differences of floats have little rounding error.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Cuts polygons one by one, and reuses its memory.
+/// Triangulates polygons one by one, and reuses its memory.
 class EarCutter
 {
 public:
     explicit EarCutter(TriangleMesh& mesh) : m_mesh(mesh) {}
 
-    /// Takes a polygon and returns the cost of cutting it: 0 if it may stay a fan, empty if it cannot be cut because it
+    /// Sets the polygon and returns the cost of cutting it: 0 if it can be a fan. Empty if it cannot be cut because it
     /// has no area or winds around more than once.
     std::optional<double> take(const Polygon& polygon)
     {
@@ -54,7 +54,7 @@ public:
         return static_cast<double>(count) * (1.0 + static_cast<double>(blunt));
     }
 
-    /// Writes the triangles of the last polygon taken. Returns false and writes none if it crosses itself.
+    /// Writes the triangles of the polygon set last. Returns false and writes none if the polygon crosses itself.
     bool cut(const Polygon& polygon)
     {
         const auto count = static_cast<std::uint32_t>(m_index.size());
@@ -72,9 +72,9 @@ public:
             m_isEar[k] = isEar(k);
         m_cut.clear();
         std::uint32_t at = 0;
-        std::uint32_t sinceLast = 0;  // corners looked at since the last ear
+        std::uint32_t sinceLast = 0;  // number of corners tested since the last ear
         for (std::uint32_t left = count; left > 3;) {
-            // Only as a last resort: a spike or a corner on a straight line, which has no area.
+            // A spike or a corner on a straight line has no area. It is cut off only if no ear is left.
             const bool goes = m_isEar[at] || (sinceLast >= left && turnAt(at) == 0.0);
             if (!goes && ++sinceLast > 2 * left)
                 return false;
@@ -83,7 +83,7 @@ public:
                 clip(at);
                 --left;
                 sinceLast = 0;
-                at = m_after[next];  // not its neighbour: cutting every second corner makes no needles
+                at = m_after[next];  // not its neighbour: cutting every second corner avoids needles
             } else {
                 at = next;
             }
@@ -96,8 +96,8 @@ public:
     }
 
 private:
-    /// Projects onto the plane of two axes in which the polygon is largest, counter-clockwise. Returns false if it has
-    /// no area.
+    /// Projects onto the plane of two axes in which the polygon is largest, counter-clockwise. Returns false if the
+    /// polygon has no area.
     bool project()
     {
         const glm::dvec3 origin(m_mesh.vertices[m_index[0]]);
@@ -138,7 +138,7 @@ private:
             return false;
         for (const std::uint32_t other : m_blunt) {
             const glm::dvec2& p = m_flat[other];
-            // Where a bridge leads to a hole, two corners have the same place.
+            // Where a bridge leads to a hole, two corners have the same position.
             if (p != a && p != b && p != c && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0)
                 return false;
         }
@@ -160,7 +160,7 @@ private:
 
     TriangleMesh& m_mesh;
     std::vector<std::uint32_t> m_index;  ///< vertex of each corner
-    std::vector<glm::dvec2> m_flat;      ///< place of each corner
+    std::vector<glm::dvec2> m_flat;      ///< projected position of each corner
     std::vector<std::uint32_t> m_before;
     std::vector<std::uint32_t> m_after;
     std::vector<std::uint32_t> m_blunt;  ///< remaining corners that do not turn left

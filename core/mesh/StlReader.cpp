@@ -21,7 +21,7 @@ std::uint32_t littleEndian(std::string_view bytes, std::size_t at)
     return word;
 }
 
-/// "1 triangle", "3 triangles"
+/// Returns "1 triangle", "3 triangles" and so on.
 std::string counted(std::size_t triangles)
 {
     return std::to_string(triangles) + (triangles == 1 ? " triangle" : " triangles");
@@ -121,7 +121,7 @@ Result<MeshFile> readAscii(std::string_view text, const std::string& name)
 Result<MeshFile> readStl(std::string_view bytes, std::string_view name)
 {
     const std::string file(name);
-    // Binary files may also begin with "solid". A count that matches the size to the byte decides.
+    // Binary files may also begin with "solid". A file is binary if its size matches the count exactly.
     const bool hasHeader = bytes.size() >= kHeaderBytes;
     const std::uint32_t count = hasHeader ? littleEndian(bytes, kHeaderBytes - 4) : 0;
     const std::uint64_t stated = kHeaderBytes + kRecordBytes * static_cast<std::uint64_t>(count);

@@ -54,7 +54,8 @@ namespace core::mesh {
     if (stop != end || word.empty())
         return std::nullopt;
     if (failure == std::errc::result_out_of_range) {
-        // Too small is zero, too large is refused; from_chars does not say which it was.
+        // A number that is too small becomes zero, and one that is too large is refused. from_chars reports both in the
+        // same way.
         if (word.find("e-") == std::string_view::npos && word.find("E-") == std::string_view::npos)
             return std::nullopt;
         value = 0.0;

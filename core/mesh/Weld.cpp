@@ -30,7 +30,7 @@ void weldByPosition(TriangleMesh& mesh)
     std::vector<std::uint32_t> renamed(mesh.vertices.size(), kNone);
     std::vector<glm::vec3> distinct;
     distinct.reserve(std::min(mesh.vertices.size(), mesh.triangles.size()));
-    // Open addressing, at most half full. It holds every position once, as its index in `distinct`.
+    // Open addressing, at most half full. The table stores every position once, as its index in `distinct`.
     std::vector<std::uint32_t> table(std::bit_ceil(2 * mesh.vertices.size() + 1), kNone);
     const std::size_t mask = table.size() - 1;
     for (auto& triangle : mesh.triangles)

@@ -26,9 +26,9 @@ namespace {
 
 using grading::Part;
 
-/// The roof of the chamber is at most this much below the highest horn. Anything deeper is a canal.
+/// Greatest depth of the chamber's roof below the highest horn. A deeper part of the pulp is a canal.
 constexpr double kChamberMm = 3.5;
-/// Distance that the opening keeps from an incisor's edge: 1 mm of dentin and the enamel behind the edge.
+/// Distance between the opening and the edge of an incisor: 1 mm of dentin and the enamel behind the edge.
 constexpr double kEdgeMm = 0.9;
 
 /// Convex hull of points, counter-clockwise (Andrew's monotone chain).
@@ -56,7 +56,7 @@ std::vector<glm::dvec2> hullOf(std::vector<glm::dvec2> points)
     return hull;
 }
 
-/// The side of a corner-cut shape: all points p with dot(p, out) <= far.
+/// A side of a polygon: all points p with dot(p, out) <= far are on its inner side.
 struct Side
 {
     glm::dvec2 out{1.0, 0.0};
@@ -116,9 +116,10 @@ std::vector<glm::dvec2> trapezoidAround(const std::vector<glm::dvec2>& hull)
     return best;
 }
 
-/// Returns the smallest triangle around the chamber with its base along the edge and its tip towards the cingulum.
-/// @param lingual  -1 or 1: side of y where the tongue is
-/// @param isBlunt  whether it ends where the chamber does, instead of at its tip
+/// Returns the smallest triangle around the chamber, with its base along the incisal edge and its tip towards the
+/// cingulum.
+/// @param lingual  -1 or 1: sign of y on the lingual side
+/// @param isBlunt  whether the shape ends where the chamber ends, instead of at the tip
 std::vector<glm::dvec2> triangleAround(const std::vector<glm::dvec2>& hull, double lingual, bool isBlunt)
 {
     std::vector<glm::dvec2> best;
@@ -140,8 +141,8 @@ std::vector<glm::dvec2> triangleAround(const std::vector<glm::dvec2>& hull, doub
     return best;
 }
 
-/// Returns a polygon that is smaller all round. The axis of a bur stays in it while the side of the bur follows the
-/// polygon.
+/// Returns a polygon that is smaller on all sides. If the axis of a bur stays in it, the side of the bur stays in the
+/// larger polygon.
 std::vector<glm::dvec2> shrunk(const std::vector<glm::dvec2>& corners, double byMm)
 {
     std::vector<Side> sides;
@@ -154,7 +155,7 @@ std::vector<glm::dvec2> shrunk(const std::vector<glm::dvec2>& corners, double by
 }
 
 /// Returns the region of the bur's axis for which its side follows a polygon with the margin. A bur rounds the corners
-/// of the polygon. If a molar's chamber reaches into a corner, the margin is widened until the bur removes that.
+/// of the polygon. If a molar's chamber extends into a corner, the margin is widened until the bur removes that part.
 AxisRegion axisAround(const std::vector<glm::dvec2>& around, const std::vector<glm::dvec2>& chamber,
                       const ToothDesign& design)
 {
@@ -169,7 +170,7 @@ AxisRegion axisAround(const std::vector<glm::dvec2>& around, const std::vector<g
     }
 }
 
-/// Returns 0 straight in front of the axis' region, on its labial side, rising to 1 beside and behind it.
+/// Returns 0 straight in front of the axis region, on its labial side, and up to 1 beside and behind it.
 double awayFromLabial(const AxisRegion& axis, glm::dvec2 point, double lingual)
 {
     constexpr double kStepMm = 1.0e-3;
@@ -190,7 +191,7 @@ double highestPulpMm(const terrain::ToothAnatomy& anatomy)
     return highest;
 }
 
-/// Returns y of the incisal edge of an upright incisor: the mean over all rows along y of the y of the highest place.
+/// Returns y of the incisal edge of an upright incisor: the mean of the y of the highest place in all rows along y.
 double edgeOf(const terrain::ToothAnatomy& anatomy)
 {
     const terrain::Grid& grid = anatomy.grid;
@@ -277,12 +278,12 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
         return unexpected(
             ErrorCode::BadStructure,
             LocalizableText{"tooth %1 has no pulp chamber that could be opened from above", {noted(anatomy.name)}});
-    // Half of a molar's chamber has one floor, whatever canals leave it. So has a chamber seen from the side, where the
-    // floor is its labial wall. A chamber seen from the incisor's edge has none: it is opened to where its horns have
-    // joined.
+    // Half of a molar's chamber has one floor, whichever canals begin there. The same is true of a chamber seen from
+    // the side, whose floor is its labial wall. A chamber seen from the incisal edge has no floor: it is opened down to
+    // the place where its horns join.
     std::nth_element(floors.begin(), floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2), floors.end());
     const double chamberMm = isMolar || fromLingual ? floors[floors.size() / 2] : highest - kChamberMm;
-    // The ideal is no deeper than a bur reaches.
+    // The ideal must not be deeper than a bur can reach.
     const double floorMm = std::max(chamberMm, bur::lowestTipMm(anatomy));
 
     const std::vector<glm::dvec2> hull = hullOf(std::move(chamber));
@@ -298,19 +299,19 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
             if (!(anatomy.top[k] > anatomy.bottom[k]))
                 continue;
             const double away = region.distance(grid.nodeMm(i, j));
-            // The floor of the chamber itself is never touched: within the opening, the ideal ends where the pulp does.
+            // The floor of the chamber must not be touched, so within the opening the ideal ends where the pulp does.
             const bool overPulp = terrain::hasPulp(anatomy, k);
             double height = floorMm;
             bool wall = false;
             if (away > radius) {
-                // The labial wall of an incisor is upright; otherwise it would remove the edge.
+                // The labial wall of an incisor is vertical, because a leaning one would remove the edge.
                 const double share = isMolar ? 1.0 : awayFromLabial(region, grid.nodeMm(i, j), lingual);
                 if (share <= 0.0)
                     continue;
                 height = floorMm + (away - radius) / (share * tangent);
                 wall = true;
             } else if (!overPulp) {
-                // Beside the chamber, within the trapezoid: down to the start of its wall.
+                // Beside the chamber, within the trapezoid, the ideal goes down to the start of the chamber's wall.
                 height = floorMm;
                 wall = true;
             }

@@ -15,7 +15,7 @@ using grading::Part;
 using teeth::BlockDesign;
 using teeth::BlockShape;
 
-/// Rounding must not decide about a node on the edge of a shape.
+/// Tolerance, so that rounding does not decide whether a node on the edge of a shape belongs to it.
 constexpr double kOnEdgeMm = 1.0e-9;
 
 struct Pocket
@@ -24,11 +24,11 @@ struct Pocket
     double depthMm = 0.0;
 };
 
-/// Returns the pockets of a shape. A staircase has one pocket for each step, each within the one before, and plunges
-/// have one for each pit. Every other shape has one.
+/// Returns the pockets of a shape. A staircase has one pocket per step, each within the one before. Plunges have one
+/// per pit. Every other shape has one.
 std::vector<Pocket> pocketsOf(const BlockDesign& design)
 {
-    const double inside = 0.5 * design.widthMm - design.cornerRadiusMm;  // half the range of the axis
+    const double inside = 0.5 * design.widthMm - design.cornerRadiusMm;  // half the range of the bur's axis
     const double end = 0.5 * design.lengthMm - design.cornerRadiusMm;
     std::vector<Pocket> pockets{{{}, design.depthMm}};
     AxisRegion& axis = pockets.front().axis;

@@ -51,7 +51,7 @@ std::optional<grading::Preparation::Isthmus> isthmusIn(const grading::Preparatio
     return isCut ? usual->isthmus : std::nullopt;
 }
 
-/// Writes the four byte planes of the heights one after another: similar bytes together compress better.
+/// Writes the four byte planes of the heights one after another. Similar bytes together compress better.
 void putHeights(ByteWriter& out, const std::vector<float>& heights)
 {
     for (unsigned shift = 0; shift < 32; shift += 8)
@@ -101,7 +101,7 @@ bool isPlace(double mm)
     return std::isfinite(mm) && std::abs(mm) < 1.0e4;
 }
 
-/// Returns a text of limited length, cut so that it is still UTF-8.
+/// Returns a text of limited length that is still valid UTF-8.
 std::string shortened(std::string words)
 {
     words.resize(std::min(words.size(), kLongestWords));

@@ -13,7 +13,7 @@ namespace {
 
 using grading::Part;
 
-constexpr float kCutMm = 0.02F;    ///< a shallower cut is a brush
+constexpr float kCutMm = 0.02F;    ///< a shallower cut is only a brush
 constexpr double kAcrossMm = 0.3;  ///< distance over which slopes are measured
 constexpr float kSteepest = 1.0F;  ///< of a floor, mm per mm
 
@@ -63,8 +63,8 @@ void tellFloorFromWall(const terrain::Grid& grid, const std::vector<float>& top,
             bool atRim = false;
             float slope = 0.0F;
             for (const auto& [di, dj] : {std::pair(1, 0), std::pair(0, 1)}) {
-                // Of the two directions along an axis the gentler one: the edge of a floor beside a wall is still
-                // floor.
+                // Of the two slopes along an axis, the gentler one counts, so that the edge of a floor beside a wall is
+                // still floor.
                 float gentlest = kUnknown;
                 for (const int sign : {-1, 1}) {
                     atRim = atRim || !isCut(i + sign * di, j + sign * dj);

@@ -19,11 +19,11 @@ using Line = std::vector<glm::dvec2>;
 constexpr double kStepMm = 0.04;    ///< between the points of a line
 constexpr double kSmoothMm = 0.45;  ///< width over which the small bends of a groove are smoothed
 constexpr double kSearchMm = 4.5;   ///< radius around the middle of the tooth in which grooves are searched
-constexpr double kJoinMm = 0.4;     ///< a stroke out of another one begins this far beside it
+constexpr double kJoinMm = 0.4;     ///< a stroke that branches off another begins this far beside it
 constexpr std::size_t kOutlinePoints = 360;
 constexpr double kShortestMm = 0.8;     ///< of a main stroke
-constexpr double kRoundReachMm = 0.6;   ///< two strokes are joined within this distance
-constexpr double kRoundErrorMm = 0.01;  ///< a round may remove so much of the ridge
+constexpr double kRoundReachMm = 0.6;   ///< two strokes are joined by a round within this distance
+constexpr double kRoundErrorMm = 0.01;  ///< a round may remove this much of the ridge
 
 /// Returns weighted means along a line, which is continued straight beyond its ends.
 Line smoothed(const Line& line, double sigmaMm)
@@ -67,7 +67,7 @@ double distanceToLine(const Line& line, glm::dvec2 point)
     return std::sqrt(nearest);
 }
 
-/// The grooves of one tooth and what is cut along them. Works in (u, v): u from mesial to distal, v towards the cheek.
+/// The grooves of one tooth and the strokes along them. Works in (u, v): u from mesial to distal, v towards the cheek.
 class Planner
 {
 public:
@@ -77,7 +77,7 @@ public:
     {
         for (const glm::dvec2& point : form.outline(static_cast<int>(kOutlinePoints)))
             m_silhouette.push_back(uv(point));
-        // Turned so that the mesial and the distal quarter are separate lines.
+        // The silhouette is rotated so that the mesial and the distal quarter are separate lines.
         for (std::size_t k = 0; k <= kOutlinePoints / 4; ++k) {
             m_distal.push_back(m_silhouette[(k + kOutlinePoints * 7 / 8) % kOutlinePoints]);
             m_mesial.push_back(m_silhouette[k + kOutlinePoints * 3 / 8]);
@@ -149,11 +149,11 @@ private:
         std::vector<std::optional<double>> known(ends.size());
         const auto rise = [&](double t) { return height(over, at(t)) - height(under, at(t)); };
         const auto riseAtEnd = [&](std::size_t k) { return known[k] ? *known[k] : known[k].emplace(rise(ends[k])); };
-        // Outwards from the guess, until no nearer place is possible.
+        // Searches outwards from the guess, until no nearer crossing is possible.
         const std::size_t cells = ends.size() - 1;
         const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, guess);
         auto next = static_cast<std::size_t>(after - ends.begin()) - 1;
-        std::size_t before = next;  // one past the cell
+        std::size_t before = next;  // index after the cell
         constexpr double kNever = std::numeric_limits<double>::max();
         std::optional<double> best;
         while (next < cells || before > 0) {
@@ -176,7 +176,7 @@ private:
         return best;
     }
 
-    /// Returns the groove between a lingual and a buccal set, from u to u.
+    /// Returns the groove between a lingual and a buccal set of lobes, over a range of u.
     [[nodiscard]] Line grooveAlongU(const Lobes& lingual, const Lobes& buccal, double fromU, double toU) const
     {
         Line line;
@@ -189,7 +189,7 @@ private:
         return line;
     }
 
-    /// Returns the groove between a mesial and a distal set, from v to v.
+    /// Returns the groove between a mesial and a distal set of lobes, over a range of v.
     [[nodiscard]] Line grooveAlongV(const Lobes& mesial, const Lobes& distal, double fromV, double toV,
                                     double guess) const
     {
@@ -210,8 +210,8 @@ private:
     {
         return distanceToLine(axis.x < 0.0 ? m_mesial : m_distal, axis) - m_radius - half - leanMm;
     }
-    /// Returns whether a place is on the occlusal table. A groove falls off the table at the sides, and pits are
-    /// searched on the table only.
+    /// Returns whether a place is on the occlusal table. A groove leaves the table at the sides, but pits are searched
+    /// on the table only.
     [[nodiscard]] bool isOnTable(glm::dvec2 p) const { return distanceToLine(m_silhouette, p) > 1.4 && p.y > -0.9; }
     /// Returns the deepest place of a groove on the occlusal table; empty if the groove is not on it.
     [[nodiscard]] std::optional<std::size_t> pitOf(const Line& groove) const
@@ -227,7 +227,8 @@ private:
         return m_crest.empty() || distanceToLine(m_crest, axis) >= m_design.obliqueMm + m_radius + half;
     }
 
-    /// Returns whether an outline spares the transverse ridge of a lower first premolar, between its two cavities.
+    /// Returns whether an outline spares the transverse ridge of a lower first premolar, which is between its two
+    /// cavities.
     [[nodiscard]] bool sparesTransverse(glm::dvec2 axis, double half) const
     {
         return m_fdi != 34 || std::abs(axis.x) >= m_design.obliqueMm + m_radius + half;
@@ -240,7 +241,7 @@ private:
         return std::max(0.0, mouth(axis) + 0.4 - floorMm) * tangent;
     }
 
-    /// Returns a box where the tooth ends on its mesial or distal side, at a distance from its middle line.
+    /// Returns a box at the mesial or distal end of the tooth, at a distance v from its middle line.
     [[nodiscard]] OcclusalCavity::Box proximalAt(double v, bool mesial) const
     {
         std::size_t nearest = mesial ? kOutlinePoints / 2 : 0;
@@ -253,7 +254,8 @@ private:
         return box;
     }
 
-    /// Returns a box at a point of the silhouette, at right angles to it. Its direction may still point into the tooth.
+    /// Returns a box at a point of the silhouette, at right angles to it. Its direction is not limited: it may point
+    /// into the tooth.
     [[nodiscard]] OcclusalCavity::Box boxAt(std::size_t nearest) const
     {
         constexpr std::size_t kAside = kOutlinePoints / 30;
@@ -280,10 +282,10 @@ private:
         return box;
     }
 
-    /// Adds a stroke from a place of the axis straight out through a proximal box.
+    /// Adds a stroke from a place of the axis straight outwards through a proximal box.
     void openInto(OcclusalCavity& cavity, glm::dvec2 from, bool mesial) const
     {
-        // Between the groove and the contact, which is further towards the cheek.
+        // The box is between the groove and the contact, which is nearer to the cheek.
         cavity.box = squareBoxAt(0.5 * (from.y + contact(mesial).y), mesial);
         std::vector<Spot> spots;
         const double length = glm::distance(from, cavity.box->atMm);
@@ -292,14 +294,15 @@ private:
         cavity.strokes.push_back(std::move(spots));
     }
 
-    /// Returns a bar across the end of the main stroke, parallel to the marginal ridge: the dovetail.
+    /// Returns a stroke across the end of the main stroke, parallel to the marginal ridge: the bar of a dovetail.
     [[nodiscard]] std::vector<Spot> bar(glm::dvec2 middle) const
     {
         const double half = std::max(0.0, 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius);
         const glm::dvec2 out = proximalAt(middle.y, middle.x < 0.0).outwards;
         glm::dvec2 along{-out.y, out.x};
         along *= along.y < 0.0 ? -1.0 : 1.0;
-        // Half way between the ridge and the perpendicular of the tooth: grooves fork at such an angle.
+        // The direction is half way between that of the ridge and the perpendicular of the tooth, because grooves fork
+        // at such an angle.
         along = glm::normalize(along + glm::dvec2{0.0, 1.0});
         std::vector<Spot> spots;
         const int steps = std::max(1, static_cast<int>(2.0 * half / kStepMm));
@@ -318,8 +321,8 @@ private:
         return std::all_of(spots.begin(), spots.end(), [&](const Spot& spot) { return fits(spot, floorMm); });
     }
 
-    /// Returns the part of a bar that spares the ridge: beside some bars the tooth is hollow. Empty if the middle does
-    /// not spare it, or if less than two thirds of the bar remain.
+    /// Returns the part of a bar that spares the ridge, because the tooth is hollow beside some bars. Empty if the
+    /// middle does not spare it, or if less than two thirds of the bar remain.
     [[nodiscard]] std::vector<Spot> fittingBar(glm::dvec2 middle, double floorMm) const
     {
         const std::vector<Spot> whole = bar(middle);
@@ -407,7 +410,7 @@ private:
         return {};
     }
 
-    /// Adds a stroke from the main one into a groove towards the cheek or the tongue.
+    /// Adds a stroke from the main stroke into a groove towards the cheek or the tongue.
     void extend(OcclusalCavity& cavity, const Line& main, const Lobes& mesial, const Lobes& distal, bool buccal,
                 double fromU, double toU) const
     {
@@ -433,14 +436,14 @@ private:
             cavity.strokes.push_back(std::move(spots));
     }
 
-    /// Adds a stroke from the main one along a buccal groove to a box in the buccal surface.
+    /// Adds a stroke from the main stroke along a buccal groove to a box in the buccal surface.
     void openToCheek(OcclusalCavity& cavity, const Line& main, const Lobes& mesial, const Lobes& distal, double fromU,
                      double toU) const
     {
         const auto start = branchAt(main, mesial, distal, fromU, toU);
         if (!start)
             return;
-        constexpr double kMostAsideMm = 1.5;  // a groove farther to one side is ignored
+        constexpr double kMostAsideMm = 1.5;  // a groove farther aside is ignored
         constexpr double kAtSurfaceMm = 0.3;
         std::vector<Spot> spots;
         for (const glm::dvec2& p :
@@ -505,7 +508,7 @@ private:
             (mesial ? cavity.mesialEndX : cavity.distalEndX) = outermost;
             cavity.strokes.push_back(std::move(spots));
         };
-        // The main stroke stops short of a bar; otherwise their round join would bulge towards the ridge.
+        // The main stroke ends before a bar; otherwise the round between them would bulge towards the ridge.
         const bool mesialStop = mesialBar && !boxIs(true);
         const bool distalStop = distalBar && !boxIs(false);
         const auto stopAt = [&](bool mesial, double end) {
@@ -533,7 +536,7 @@ private:
     /// Plans a box at the contact. The depth of its floor is measured from the marginal ridge.
     void planSlot(bool mesial)
     {
-        constexpr double kRidgeEndsMm = 2.5;  // from the proximal surface
+        constexpr double kRidgeEndsMm = 2.5;  // distance from the proximal surface
         OcclusalCavity cavity;
         cavity.box = squareBoxAt(contact(mesial).y, mesial);
         cavity.floorMm = mouth(cavity.box->atMm);
@@ -641,7 +644,7 @@ private:
         const Line groove = grooveAlongV(ridge, behind, -3.0, 2.0, 2.0);
         if (groove.size() < 10)
             return noRoom("distal pit", "none: the tooth has no such groove");
-        // Where the grooves on either side of the distolingual cusp meet. A small cusp has no such place.
+        // The place where the grooves on both sides of the distolingual cusp meet. A small cusp has no such place.
         std::optional<std::size_t> pit;
         for (std::size_t k = 0; k < groove.size(); ++k)
             if (!distolingual.empty() && height(distalRidge, groove[k]) < height(distolingual, groove[k]))
@@ -671,7 +674,7 @@ private:
                                  : grooveAlongV(cusps, ridge, kLingualV, kBuccalV, 2.0);
             if (groove.size() < 10)
                 return noRoom("pits", "none: the tooth has no such groove");
-            // If the groove is beside the table, its line is taken as far inside as the table begins.
+            // If the groove is beside the table, its line is moved inwards to where the table begins.
             std::optional<std::size_t> pit = pitOf(groove);
             for (int step = 0; !pit && step < kMostSteps; ++step) {
                 for (glm::dvec2& p : groove)
@@ -680,7 +683,7 @@ private:
             }
             if (!pit)
                 return noRoom("pits", "none: the groove lies beside the occlusal table");
-            // Wider towards the cheek: the lingual cusp is small.
+            // The stroke is longer towards the cheek, because the lingual cusp is small.
             const double half = 0.5 * m_design.isthmusMm + m_design.dovetailMm - m_radius;
             if (Status done = planShort(groove, *pit, 0.5 * half, 1.5 * half, mesial ? "mesial pit" : "distal pit",
                                         mesial, {1.6, 1.35});
@@ -690,17 +693,17 @@ private:
         return {};
     }
 
-    /// The distance by which a short stroke may be moved from its pit.
+    /// The distance by which a short stroke is moved from its pit.
     struct Shift
     {
         double inwardsMm = 0.0;  ///< away from the marginal ridge
         double buccalMm = 0.0;
     };
 
-    /// Plans a short stroke across the tooth through a pit, moved away from the marginal ridge so far that the ridge
-    /// keeps its width.
-    /// @param lingualMm, buccalMm  range of the axis to either side of the pit
-    /// @param most  farthest shift: a transverse ridge behind the stroke has to keep its width as well
+    /// Plans a short stroke across the tooth through a pit. It is moved away from the marginal ridge so far that the
+    /// ridge retains its width.
+    /// @param lingualMm, buccalMm  range of the axis on either side of the pit
+    /// @param most  largest shift: a transverse ridge behind the stroke has to retain its width as well
     Status planShort(const Line& groove, std::size_t pit, double lingualMm, double buccalMm, const char* name,
                      bool mesial, Shift most)
     {
@@ -712,7 +715,7 @@ private:
         for (const glm::dvec2& p : line)
             sum += mouth(p);
         cavity.floorMm = std::min(sum / static_cast<double>(line.size()), mouth(groove[pit])) - m_design.depthMm;
-        // The changes of its place and shape, smallest first.
+        // The possible changes of its position and shape, smallest first.
         struct Change
         {
             double shift;
@@ -752,7 +755,7 @@ private:
         return noRoom(name, "ridge_mm, oblique_mm, isthmus_mm, dovetail_mm");
     }
 
-    /// Continues a short stroke into the box of a Class II, or ends it with a leaning wall.
+    /// Continues a short stroke into the box of a Class II, or gives its end a leaning wall.
     void finishShort(OcclusalCavity& cavity, std::vector<Spot> spots, bool mesial) const
     {
         if (boxIs(mesial)) {
@@ -766,7 +769,8 @@ private:
         cavity.strokes.push_back(std::move(spots));
     }
 
-    /// Places the isthmus on the main stroke, as far from all other strokes as possible: there it has the design width.
+    /// Places the isthmus on the main stroke, as far as possible from all other strokes. There the stroke has the
+    /// design width.
     static void placeIsthmus(OcclusalCavity& cavity)
     {
         const std::vector<Spot>& main = cavity.strokes.front();
@@ -789,7 +793,7 @@ private:
             OcclusalCavity::Isthmus{main[best].atMm, {-along.y, along.x}, kStepMm * static_cast<double>(aside)};
     }
 
-    /// Stores a cavity, in the tooth frame.
+    /// Adds a cavity to the result, in the tooth frame.
     void add(OcclusalCavity cavity)
     {
         for (std::vector<Spot>& spots : cavity.strokes)
@@ -813,7 +817,7 @@ private:
     double m_radius;
     double m_half;  ///< range of the axis beside the groove in the main stroke
     Line m_silhouette;
-    Line m_mesial;  ///< of it, the proximal surfaces
+    Line m_mesial;  ///< part of the silhouette: the proximal surfaces
     Line m_distal;
     Line m_crest;
     std::vector<OcclusalCavity> m_cavities;
@@ -850,7 +854,7 @@ std::vector<glm::dvec2> obliqueCrest(int fdi, const teeth::PosteriorForm& form)
         const glm::dvec2 along = glm::normalize(to - from);
         const int steps = static_cast<int>(glm::length(to - from) / kStepMm);
         for (int n = 0; n < steps; ++n) {
-            // The ridge leaves the straight line between its tips. Its highest place beside the line counts.
+            // The ridge is not straight between its tips, so its highest place beside the line counts.
             const glm::dvec2 middle = from + along * (kStepMm * n);
             glm::dvec2 highest = middle;
             for (double aside = -0.6; aside <= 0.6; aside += 0.02) {

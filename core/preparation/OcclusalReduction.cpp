@@ -23,8 +23,8 @@ namespace {
 using grading::Part;
 using teeth::Cusp;
 
-constexpr double kValleyRadiusMm = 0.8;  ///< tightest valley, so that a bur of 1.0 to 1.2 mm nearly reaches its bottom
-constexpr double kClosedMm = 1.6;        ///< half of the width of the widest valley that is closed
+constexpr double kValleyRadiusMm = 0.8;  ///< tightest valley, so that a bur of 1.0 to 1.2 mm almost touches its bottom
+constexpr double kClosedMm = 1.6;        ///< half the width of the widest valley that is closed
 constexpr float kThinnestCutMm = 0.02F;  ///< a shallower floor is no cut
 
 /// Heights over a grid, row by row.
@@ -85,8 +85,8 @@ void limitSlope(const terrain::Grid& grid, Heights& heights)
             raise(i, j, -1);
 }
 
-/// Returns how far a place is from the middle of the tooth to the tips of its functional cusps, 0 to 1. It is 1 from
-/// the tip nearest to the middle outwards.
+/// Computes the position of a place between the middle of the tooth and the tips of its functional cusps, 0 to 1. It is
+/// 1 at and beyond the tip that is nearest to the middle.
 class FunctionalShare
 {
 public:
@@ -110,8 +110,8 @@ public:
     }
 
 private:
-    /// Returns the positions of the tips of these cusps across the tooth. Each premolar and molar has one on either
-    /// side.
+    /// Returns the positions of the tips of these cusps across the tooth. Each premolar and molar has such a cusp on
+    /// both sides.
     [[nodiscard]] std::vector<double> placesOf(std::initializer_list<Cusp> cusps) const
     {
         std::vector<double> places;

@@ -10,7 +10,7 @@ namespace {
 
 using grading::Part;
 
-/// Returns the columns whose far edge the outline can reach: nearer than the tolerance and half a cell.
+/// Returns the columns whose far edge is within the reach of the outline: nearer than the tolerance plus half a cell.
 std::vector<std::pair<int, int>> discOf(double radiusMm, double cellMm)
 {
     const double reach = radiusMm / cellMm + 0.5;
@@ -34,7 +34,7 @@ ToleranceBand toleranceBand(const terrain::ToothAnatomy& anatomy, const grading:
     const auto disc = discOf(outlineMm, grid.cellMm);
     ToleranceBand band{anatomy.top, anatomy.top};
     const auto isCut = [&](std::size_t k) { return ideal.parts[k] != Part::Keep; };
-    // A hole ends at the under surface.
+    // The floor of a hole is the under surface.
     const auto floorOf = [&](std::size_t k) { return std::max(top[k], anatomy.bottom[k]); };
     std::vector<float> highest(grid.count(), terrain::kEmptyTop);
     std::vector<std::uint8_t> besideKept(grid.count(), 0);

@@ -24,10 +24,11 @@ namespace {
 using grading::Part;
 
 constexpr float kFarMm = 1.0e3F;
-constexpr double kBesideMm = 1.6;     ///< distances are computed so far beyond the bur's axis
+constexpr double kBesideMm = 1.6;     ///< distances are computed up to this far beyond the region of the bur's axis
 constexpr double kLeastCutMm = 0.02;  ///< a shallower floor is no cut
 
-/// Computes the distances over the grid to the region of the axis along one stroke; they are negative inside it.
+/// Computes the distances over the grid to the region of the axis along one stroke. They are negative inside the
+/// region.
 void sweep(const terrain::Grid& grid, const std::vector<OcclusalCavity::Spot>& spots, std::vector<float>& distance)
 {
     std::fill(distance.begin(), distance.end(), kFarMm);
@@ -47,7 +48,7 @@ void sweep(const terrain::Grid& grid, const std::vector<OcclusalCavity::Spot>& s
     }
 }
 
-/// Returns 0 where the wall is upright, rising to 1 beyond an end of the axis.
+/// Returns 0 where the wall is vertical, and up to 1 beyond an end of the axis.
 double leanShare(const OcclusalCavity& cavity, double x, double radiusMm)
 {
     double beyond = 0.0;
@@ -201,7 +202,7 @@ Result<grading::Preparation> makeOcclusal(Kind kind, const ToothDesign& design, 
     return ideal;
 }
 
-/// Checks that a tooth has a design for the kind: a scan has none, and not every kind is made for every tooth.
+/// Checks whether a tooth has a design for the kind. A scan has none, and some kinds exist for some teeth only.
 Result<ToothDesign> checkTooth(Kind kind, const terrain::ToothAnatomy& anatomy)
 {
     if (!teeth::isGenerated(anatomy))

@@ -36,7 +36,7 @@ std::string_view takeUntil(std::string_view& text, char separator)
     return part;
 }
 
-/// Removes one cell of a row and returns it without the blanks around it. A quoted cell may contain commas.
+/// Removes one cell of a row and returns it without surrounding blanks. A quoted cell may contain commas.
 std::string_view takeCell(std::string_view& row)
 {
     row = trimmed(row);
@@ -72,7 +72,7 @@ std::string shown(std::string_view cell)
     return "'" + text + "'";
 }
 
-/// Parses a text that arrives in pieces, cut anywhere.
+/// Parses a text that arrives in pieces, which may end anywhere.
 class PathParser
 {
 public:
@@ -192,10 +192,10 @@ private:
     }
 
     bool m_needDrill;
-    std::array<int, kColumns.size()> m_place{};  ///< column of the file for each of ours, -1 none
+    std::array<int, kColumns.size()> m_place{};  ///< column of the file for each of our columns; -1: none
     int m_columns = 0;                           ///< of the header; 0 before it is read
     std::string m_line;                          ///< the line that has not ended yet
-    std::size_t m_number = 0;                    ///< lines that have ended
+    std::size_t m_number = 0;                    ///< number of complete lines
     bool m_lastWasReturn = false;                ///< the last piece ended with CR: an LF may follow
     DevicePath m_path;
 };
@@ -204,7 +204,7 @@ private:
 
 std::uint64_t DevicePath::ticks(double rateHz) const
 {
-    // Rounding of its times must not cost a path made for this rate its last tick.
+    // Rounding of its times must not remove the last tick of a path recorded at this rate.
     return static_cast<std::uint64_t>(std::floor(durationS() * rateHz + 1.0e-6)) + 1;
 }
 

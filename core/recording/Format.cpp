@@ -22,13 +22,14 @@ constexpr std::uint32_t kWithNumbers = 6;
 constexpr std::uint32_t kWithSpeeds = 7;
 constexpr std::uint32_t kWithEndsAndFullLoad = 8;
 constexpr std::uint32_t kWithDecayZones = 9;
-/// Columns that all undo steps of one recording together may restore: 44,000 steps at grid 150, half a minute's work.
-/// Otherwise a small hostile file could take hours.
+/// Largest number of columns that all undo steps of one recording together may restore: 44,000 steps at grid 150, which
+/// take half a minute. Otherwise a small hostile file could take hours.
 constexpr std::uint64_t kMaxRestoredColumns = 1'000'000'000;
 
 bool plausible(const terrain::ToothAnatomy& tooth)
 {
-    // Every height is finite and within the sentinels, and areas are not negative. The code relies on no more.
+    // Every height must be finite and within the sentinels, and areas must not be negative. The code relies on nothing
+    // else.
     const auto sane = [](float v) { return v >= terrain::kEmptyTop && v <= terrain::kEmptyBottom; };
     for (std::size_t k = 0; k < tooth.top.size(); ++k) {
         const terrain::ColumnLayers& c = tooth.layers[k];
@@ -39,7 +40,7 @@ bool plausible(const terrain::ToothAnatomy& tooth)
     return true;
 }
 
-/// Returns whether an attempt cuts as in versions of Cusp before flat ends and full loads.
+/// Returns whether an attempt has the cutting of versions of Cusp without flat ends and full loads.
 bool isCutAsBefore(const settings::HardnessPreset& hardness)
 {
     return hardness == settings::withoutEndsAndFullLoad(hardness);
@@ -70,7 +71,7 @@ std::string pack(std::string_view raw)
 {
     std::string packed(ZSTD_compressBound(raw.size()), '\0');
     const std::size_t size = ZSTD_compress(packed.data(), packed.size(), raw.data(), raw.size(), kPackLevel);
-    packed.resize(size);  // at this bound, ZSTD_compress fails only if memory runs out
+    packed.resize(size);  // with this much space, ZSTD_compress fails only if memory runs out
     return packed;
 }
 
@@ -245,7 +246,7 @@ std::shared_ptr<const terrain::ToothAnatomy> toothFrom(std::string_view bytes)
     return in.ok() && plausible(*tooth) ? tooth : nullptr;
 }
 
-/// Returns the kinds, the steps and the four byte planes of each coordinate one after another: similar bytes together
+/// Returns the kinds, the steps and the four byte planes of each coordinate, one after another. Similar bytes together
 /// compress better.
 std::string eventBytes(std::span<const ServoEvent> events)
 {

@@ -48,7 +48,7 @@ std::string frameBytes(const Frame& frame)
     return out.bytes();
 }
 
-/// Returns the next frame; empty if no whole frame is left. Then `in` must not be used again.
+/// Returns the next frame; empty if no complete frame is left. Do not use `in` after that.
 std::optional<Frame> takeFrame(ByteReader& in)
 {
     const std::string_view head = in.takeBytes(sizeof(std::uint32_t) * 2 + sizeof(std::uint64_t));
@@ -78,7 +78,7 @@ std::string headBytes(const Recording& recording, std::int64_t begunUtcMs)
     return bytes + frameBytes({Section::Tooth, 0, pack(toothBytes(*recording.anatomy()))});
 }
 
-/// Returns the path under which a journal is written until it is on the disk.
+/// Returns the temporary path of a journal, which it has until it is on the disk.
 fs::path partOf(fs::path path)
 {
     path += kPart;
@@ -92,8 +92,8 @@ tl::unexpected<Error> unwritable(const fs::path& path, int number)
                                                      ".");
 }
 
-/// Creates a file, or opens an existing one, and locks it. A search for attempts may find the file before the lock and
-/// remove it because it is empty: then it is created again. A file that another program holds is not taken. Returns -1
+/// Creates a file, or opens an existing one, and locks it. Between the two steps, a search for attempts may remove the
+/// file because it is empty; it is then created again. Does not open a file that another program has locked. Returns -1
 /// with errno set on failure.
 int createLocked(const fs::path& path)
 {
@@ -103,7 +103,7 @@ int createLocked(const fs::path& path)
         const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
         if (file < 0)
             return file;
-        // If files cannot be locked at all, no other program has to be kept out.
+        // If the file system does not support locks, no other program is excluded.
         const bool isTaken = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
         struct stat made
         {};
@@ -149,7 +149,7 @@ Result<std::shared_ptr<JournalFile>> JournalFile::create(const fs::path& path, c
         written = journal->append(events);
     if (written)
         return journal;
-    fs::remove(partOf(path), failure);  // removes the new file only; an older one of that name stays
+    fs::remove(partOf(path), failure);  // removes the new file only; an older file of that name stays
     return tl::unexpected(written.error());
 }
 
@@ -159,7 +159,7 @@ JournalFile::~JournalFile()
         ::close(m_file);
 }
 
-/// Writes all bytes or none; errno is set on failure.
+/// Writes all bytes or none. Sets errno on failure.
 bool JournalFile::write(std::string_view bytes)
 {
     std::string_view rest = bytes;
@@ -204,7 +204,7 @@ Status JournalFile::sync()
             return unwritable(m_path, errno);
         m_hasItsName = true;
     }
-    // The directory entry must be on the disk as well.
+    // The directory entry has to be on the disk as well.
     if (const int folder = ::open(m_path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); folder >= 0) {
         static_cast<void>(::fsync(folder));
         ::close(folder);
@@ -315,7 +315,7 @@ namespace {
 
 enum class Access { Ours, Missing, InUse };
 
-/// Locks a file and reads it.
+/// The content of a file that is locked.
 struct LockedBytes
 {
     Access access = Access::Missing;
@@ -330,7 +330,7 @@ LockedBytes readLocked(const fs::path& path)
         return {errno == ENOENT ? Access::Missing : Access::Ours, JournalLock(),
                 nothingIn(ErrorCode::FileUnreadable, std::system_category().message(errno))};
     LockedBytes read{Access::Ours, JournalLock(file), std::string()};
-    // If files cannot be locked at all, no other program has to be kept out.
+    // If the file system does not support locks, no other program is excluded.
     if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         read.access = Access::InUse;
         return read;
@@ -340,7 +340,7 @@ LockedBytes readLocked(const fs::path& path)
         if (took < 0 && errno == EINTR)
             continue;
         if (took < 0)
-            break;  // the part that was read may be enough
+            break;  // the part that was read may be sufficient
         read.bytes->append(block.data(), static_cast<std::size_t>(took));
         if (read.bytes->size() > kMaxJournalBytes) {
             read.bytes = nothingIn(ErrorCode::FileTooLarge, "its file is larger than any journal");
@@ -350,7 +350,7 @@ LockedBytes readLocked(const fs::path& path)
     return read;
 }
 
-/// Reads an attempt from locked bytes. If there is none, `read` still holds the lock.
+/// Reads an attempt from locked bytes. If there is none, `read` keeps the lock.
 Result<FoundAttempt> attemptIn(LockedBytes& read, const fs::path& path)
 {
     if (!read.bytes)
@@ -385,7 +385,7 @@ Result<std::optional<FoundAttempt>> findAttempt(const fs::path& path)
             fs::remove(partOf(path), ignored);
         }
     }
-    // A file that never got its final name holds only the first moments.
+    // A file that never got its final name contains only the first moments of an attempt.
     if (!found && !wasThere)
         return std::nullopt;
     if (!found)
@@ -403,7 +403,7 @@ std::optional<fs::path> discardJournal(const fs::path& path)
         fs::remove(path, failure);
         return std::nullopt;
     }
-    // Its days in the folder count from now.
+    // The days that the file is retained in the folder count from now.
     fs::last_write_time(folder / path.filename(), fs::file_time_type::clock::now(), failure);
     return folder / path.filename();
 }

@@ -217,7 +217,7 @@ std::vector<float> Player::heightsAt(std::uint64_t tick) const
     const std::lock_guard lock(m_mutex);
     const auto after = std::upper_bound(m_keyFrames.begin(), m_keyFrames.end(), tick,
                                         [](std::uint64_t value, const KeyFrame& frame) { return value < frame.tick; });
-    const KeyFrame& frame = *(after - 1);  // the first is at tick 0
+    const KeyFrame& frame = *(after - 1);  // there is always one, because the first is at tick 0
     std::vector<float> top = frame.top.flat();
     std::size_t k = frame.patches == 0 ? 0 : m_patches[frame.patches - 1].end;
     for (std::size_t n = frame.patches; n < m_patches.size() && m_patches[n].tick <= tick; ++n)

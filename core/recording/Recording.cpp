@@ -24,21 +24,21 @@ void putSection(ByteWriter& out, Section kind, std::string_view payload)
     out.putAll(std::span(payload.data(), payload.size()));
 }
 
-/// Unpacks a chunk that was packed by this program, or checked when it was read.
+/// Unpacks a chunk that this program has packed, or has checked when it was read.
 std::vector<ServoEvent> unpackedEvents(std::string_view chunk)
 {
     const auto raw = unpack(chunk, kMaxChunkBytes);
     return (raw ? eventsFrom(*raw) : std::nullopt).value_or(std::vector<ServoEvent>{});
 }
 
-/// @param place  where it is damaged: "in its settings"
+/// @param place  where the recording is damaged: "in its settings"
 tl::unexpected<Error> damaged(std::string_view place)
 {
     return unexpected(ErrorCode::BadStructure, "The recording is damaged " + std::string(place) +
                                                    ". Use a copy of the file, or make the attempt again.");
 }
 
-/// Checks that a recording begins here, of a version that this program reads.
+/// Checks that a recording begins here, in a version that this program can read.
 Status readHead(ByteReader& in)
 {
     constexpr const char* kOtherFile = "This is not a Cusp recording; choose a file that Cusp has saved.";
@@ -83,7 +83,7 @@ public:
     }
 
     /// Reads the last section and returns the whole recording.
-    /// @param left  bytes of the file behind this section
+    /// @param left  number of bytes after this section
     Result<Recording> readEnd(std::string_view payload, std::size_t left)
     {
         ByteReader end(payload);

@@ -72,11 +72,11 @@ bool Replayer::play(const ServoEvent& event)
         m_servo->setSpring(event.value);
         break;
     case ServoEvent::Kind::Restore:
-        // Reading a recording checks that each moment it returns to comes before.
+        // Reading a recording has checked that each moment to return to comes before the event.
         swap(m_moments.at(event.value).flat(), false);
         break;
     case ServoEvent::Kind::Resume:
-        if (auto servo = servo::makeServoTick(m_settings))  // with the settings of the start of the attempt
+        if (auto servo = servo::makeServoTick(m_settings))  // uses the settings of the start of the attempt
             m_servo = std::move(*servo);
         swap(m_tooth->tooth().top, true);
         break;

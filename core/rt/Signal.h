@@ -24,7 +24,8 @@ public:
     {
         if (!m_semaphore.try_acquire_until(due))
             return false;
-        // What is raised from here on wakes again, and what was raised before can be read after this.
+        // A raise() from here on wakes the next wait, and data written before an earlier raise() can be read after this
+        // line.
         m_isRaised.store(false, std::memory_order_release);
         return true;
     }

@@ -9,13 +9,13 @@ namespace {
 
 using settings::FeelPreset;
 
-/// The range of each number.
+/// The row of a preset for each material; caries has that of soft caries.
 constexpr std::array<std::size_t, terrain::kMaterialCount> kRows{
     static_cast<std::size_t>(settings::Substance::SoftCaries), static_cast<std::size_t>(settings::Substance::Enamel),
     static_cast<std::size_t>(settings::Substance::Dentin), static_cast<std::size_t>(settings::Substance::Pulp)};
 constexpr std::size_t kOfMaterials = 2 * terrain::kMaterialCount;
 constexpr std::size_t kFirstNumbers = kOfMaterials + 6;
-/// The places in feelFields() of the numbers behind those of the materials.
+/// The indices in feelFields() of the numbers that do not belong to a material.
 constexpr std::array<std::size_t, kServoNumbers - kOfMaterials> kRest{
     2 * settings::kSubstances,     settings::kCuttingFields,     settings::kCuttingFields + 1,
     settings::kCuttingFields + 2,  settings::kCuttingFields + 3, settings::kCuttingFields + 4,

@@ -13,25 +13,24 @@
 namespace core::servo {
 namespace {
 
-/// Penetration below which the bur counts as hovering: a nanometre is rounding, not touch.
+/// The bur counts as hovering below this penetration: a nanometre is rounding.
 constexpr double kTouchMm = 1.0e-6;
 
-/// A device that reconnects deeper in the tooth than this must be lifted out before it feels a force again.
+/// A device that reconnects deeper in the tooth than this must be lifted out before it gets a force again.
 constexpr double kSunkMm = 1.0;
 
-/// If another state of the tooth, or another bur, raises the ground under the tip by more than this, ground has come
-/// back.
+/// If an undo or another bur raises the ground under the tip by more than this, ground counts as having come back.
 constexpr double kComesBackMm = 0.05;
 
-/// A hand cannot be farther from the tooth: such a reading counts as missing.
+/// A reading farther away than this is impossible for a hand and counts as missing.
 constexpr float kFarthestMm = 1000.0F;
 
-/// Slope of the uncut surface, mm per mm, from which it may be a flank: 70 degrees.
+/// Least slope of the uncut surface, mm per mm, that may be a flank: 70 degrees.
 constexpr double kFlankRise = 2.75;
-/// A flank is no farther from the outline than this, mm. The wall of a fissure is as steep, but farther.
+/// Largest distance of a flank from the outline, mm. The wall of a fissure is as steep, but farther away.
 constexpr double kFlankWidthMm = 0.8;
 
-/// Returns whether the uncut tooth ends or falls off: a depth measured straight down has no meaning there.
+/// Returns whether the uncut tooth ends or drops here, so that a depth measured straight down has no meaning.
 bool isFlank(const terrain::ToothAnatomy& anatomy, int i, int j)
 {
     const terrain::Grid& grid = anatomy.grid;
@@ -40,7 +39,7 @@ bool isFlank(const terrain::ToothAnatomy& anatomy, int i, int j)
             return static_cast<double>(terrain::kEmptyTop);
         return static_cast<double>(anatomy.top[grid.index(i + di, j + dj)]);
     };
-    // Beside an empty node the rise is enormous.
+    // Beside an empty node the rise is very large.
     const double east = (height(1, 0) - height(-1, 0)) / (2.0 * grid.cellMm);
     const double north = (height(0, 1) - height(0, -1)) / (2.0 * grid.cellMm);
     if (east * east + north * north <= kFlankRise * kFlankRise)
@@ -53,16 +52,16 @@ bool isFlank(const terrain::ToothAnatomy& anatomy, int i, int j)
     return false;
 }
 
-/// A hand is never faster and never jumps so far in a tick, so such a reading is bad (a spoilt packet) and counts as
-/// missing. For a few missing readings the hand is taken to rest: without force for a millisecond, a hand that leans on
-/// the tooth would fall into it. If they continue, the device is lost.
+/// A hand is never so fast and never jumps so far in a tick. So such a reading is bad (a corrupted packet) and counts
+/// as missing. During a few missing readings the hand is assumed to rest: without force for a millisecond, a hand that
+/// leans on the tooth would fall into it. If more readings are missing, the device is lost.
 constexpr double kFastestMmPerS = 10'000.0;
 constexpr double kLeastLeapMm = 10.0;
 constexpr std::chrono::milliseconds kPassedOver{10};
 
 bool isPlausible(const glm::vec3& device)
 {
-    // False for NaN as well.
+    // The comparison is also false for NaN.
     return std::abs(device.x) <= kFarthestMm && std::abs(device.y) <= kFarthestMm && std::abs(device.z) <= kFarthestMm;
 }
 
@@ -184,7 +183,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
         m_method->restart(m_state.deviceMm);
         m_restart = false;
     }
-    // The handpiece stops at the tooth like the bur. What is pushed beyond that presses on the crown and does not cut.
+    // The handpiece stops at the tooth like the bur. The force beyond that presses on the crown and does not cut.
     glm::dvec3 reached = m_state.deviceMm;
     m_state.handpieceOnCrown = reached.z < m_tooth->floorMm();
     reached.z = std::max(reached.z, m_tooth->floorMm());
@@ -192,14 +191,14 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     m_state.anchorMm = m_method->update(*m_tooth, reached);
     const double stretchMm = glm::length(m_state.anchorMm - reached);
     const bool hasComeBack = m_groundIsNew && stretchMm > before + kComesBackMm;
-    if (hasComeBack)  // ground that came back, by an undo or a wider bur, pushes softly
+    if (hasComeBack)  // ground that came back, by an undo or a wider bur, pushes softly at first
         m_force.drop();
-    // A hand that sank in while no force held it must not be thrown out.
+    // A hand that moved into the tooth while it had no force must not be thrown out.
     if ((m_wasLost || hasComeBack) && stretchMm > kSunkMm)
         m_mayAct = false;
     m_wasLost = false;
     m_groundIsNew = false;
-    // A bur that begins inside a tooth neither pushes nor cuts until it has been outside.
+    // A bur that starts inside a tooth neither pushes nor cuts until it has been outside.
     if (!m_mayAct) {
         const glm::dvec2 over(reached);
         m_mayAct =
@@ -226,7 +225,7 @@ void ServoTick::step(const glm::vec3* device, std::chrono::microseconds dt) noex
     describe();
 }
 
-/// Removes what the bur, pulled towards `reached` with `forceN` newtons, takes away in `seconds`.
+/// Removes the material that the bur, pulled towards `reached` with `forceN` newtons, removes in `seconds`.
 void ServoTick::cut(const glm::dvec3& reached, double forceN, double seconds) noexcept
 {
     const cutting::Cut done = m_drill.cut(*m_tooth, m_state.anchorMm, m_method->cutTowards(reached), forceN, seconds);
@@ -254,7 +253,7 @@ void ServoTick::cut(const glm::dvec3& reached, double forceN, double seconds) no
     }
 }
 
-/// True if the hand cannot have come to a place from where it was last.
+/// Returns true if a hand cannot have moved from its last position to this one.
 bool ServoTick::leapt(const glm::dvec3& device, double seconds) const noexcept
 {
     const glm::dvec3 way = device - m_state.deviceMm;
@@ -262,7 +261,7 @@ bool ServoTick::leapt(const glm::dvec3& device, double seconds) const noexcept
     return !m_restart && !m_wasLost && glm::dot(way, way) > farthest * farthest;
 }
 
-/// Handles a lost device.
+/// Handles a lost device: its force is zero, and nothing is cut.
 void ServoTick::lose() noexcept
 {
     letGo();
@@ -273,7 +272,7 @@ void ServoTick::lose() noexcept
     m_unread = {};
 }
 
-/// Sets all forces to zero and forgets the state from which a force could arise.
+/// Sets all forces to zero and resets all state from which a force could arise.
 void ServoTick::letGo() noexcept
 {
     m_force.drop();
@@ -283,7 +282,7 @@ void ServoTick::letGo() noexcept
     m_state.touching = false;
 }
 
-/// Returns the contact force plus the forces unrelated to the tooth, which neither cut nor count as contact.
+/// Returns the contact force plus forces that do not come from the tooth, which neither cut nor count as contact.
 glm::dvec3 ServoTick::around(const glm::dvec3& contactN, double seconds) noexcept
 {
     const glm::dvec3 sum = contactN + m_workArea.update(m_state.deviceMm, seconds) +
@@ -295,7 +294,7 @@ glm::dvec3 ServoTick::around(const glm::dvec3& contactN, double seconds) noexcep
     return newtons > clampN ? sum * (clampN / newtons) : sum;
 }
 
-/// Sets depth and material under the tip for the display, from the nearest column.
+/// Sets the depth and material under the tip for the display, from the nearest column.
 void ServoTick::describe() noexcept
 {
     const terrain::Tooth& tooth = m_tooth->tooth();

@@ -92,7 +92,7 @@ void JournalLoop::tellWritten()
     m_somethingWritten.notify_one();
 }
 
-/// Runs in the thread that syncs.
+/// Waits until something was written, but at most kPeriod, then syncs the file. Runs in the thread that syncs.
 void JournalLoop::syncWhenWritten()
 {
     {
@@ -103,7 +103,7 @@ void JournalLoop::syncWhenWritten()
     sync();
 }
 
-/// Runs in the thread that syncs.
+/// Syncs the file once. Runs in the thread that syncs.
 void JournalLoop::sync()
 {
     std::shared_ptr<recording::JournalFile> file;
@@ -117,7 +117,7 @@ void JournalLoop::sync()
     m_cannotSync = !done;
 }
 
-/// Begins with another attempt. The user has already been asked about the unfinished one.
+/// Begins a new attempt. The user has already answered the question about the unfinished one.
 void JournalLoop::beginWith(std::uint64_t generation)
 {
     setFile(nullptr);

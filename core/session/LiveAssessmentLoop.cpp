@@ -29,7 +29,7 @@ Findings LiveAssessmentLoop::found() const
 
 void LiveAssessmentLoop::tick(std::chrono::microseconds)
 {
-    // One piece at a time, so that a request waits for at most a few milliseconds.
+    // Replays one piece at a time, so that a request waits for a few milliseconds at most.
     for (;;) {
         const std::lock_guard lock(m_mutex);
         const RecordedPart part = m_session.recordedSince(m_generation, m_events);
@@ -54,7 +54,7 @@ std::optional<AttemptSnapshot> LiveAssessmentLoop::conclude()
     auto recording = m_session.recordingSoFar();
     if (!recording)
         return std::nullopt;
-    // The tooth has changed since the last run.
+    // Begins again if the tooth has changed since the last run.
     if (const std::uint64_t generation = m_session.recordedGeneration(); generation != m_generation)
         startOver(*recording, generation);
     while (m_generation != 0 && m_events < recording->events()) {
@@ -67,7 +67,7 @@ std::optional<AttemptSnapshot> LiveAssessmentLoop::conclude()
     return AttemptSnapshot{std::move(*recording), std::move(tooth), found()};
 }
 
-/// Begins with a recording. The events already in it will be replayed.
+/// Begins with a recording. The events that it already contains will be replayed.
 void LiveAssessmentLoop::startOver(const recording::Recording& recording, std::uint64_t generation)
 {
     m_events = 0;
@@ -79,7 +79,7 @@ void LiveAssessmentLoop::startOver(const recording::Recording& recording, std::u
         return;  // the servo runs with these settings, so they are valid
     m_generation = generation;
     m_replayer = std::move(*replayer);
-    // The examination for a new tooth is set when the tooth is opened; until then it is empty.
+    // The examination of a new tooth is set when the tooth is opened. Until then an empty one is used.
     m_examiner.emplace(generation == m_watchedGeneration ? m_examination : Examination{}, recording.anatomy());
 }
 
@@ -87,14 +87,14 @@ void LiveAssessmentLoop::take(const std::vector<servo::ServoEvent>& events)
 {
     for (const servo::ServoEvent& event : events) {
         if (!play(event)) {
-            m_generation = 0;  // startOver() knows all moments of the recording
+            m_generation = 0;  // startOver() reads all moments of the recording again
             return;
         }
         ++m_events;
     }
 }
 
-/// Returns false if the event goes back to a moment that is not known any more.
+/// Replays an event. Returns false if it returns to a moment that is no longer stored.
 bool LiveAssessmentLoop::play(const servo::ServoEvent& event)
 {
     if (event.kind == servo::ServoEvent::Kind::Restore && !m_replayer->knows(event.value)) {

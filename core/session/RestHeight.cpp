@@ -7,7 +7,7 @@
 namespace core::session {
 namespace {
 
-// Space that a hand needs around the middle of the top of a tooth, mm of the bur: beside, above and below it.
+// Space that a hand needs around the middle of the top of a tooth: beside, above and below it, in mm of the bur.
 constexpr double kBesideMm = 8.0;
 constexpr double kAboveMm = 6.0;
 constexpr double kBelowMm = 9.0;

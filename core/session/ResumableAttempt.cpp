@@ -37,7 +37,7 @@ public:
         if (m_servo.play(event)) {
             const bool cut = !m_servo.changed().isEmpty();
             m_hasCut = m_hasCut || cut;
-            // A moment in mid-stroke to which the attempt returned later: the undo made it a moment.
+            // Undo made a moment in the middle of a stroke, because the attempt returned to it later.
             if (m_hasCut && m_goneBackTo.contains(m_servo.tick()))
                 m_unfinished = now();
             if (m_stroke.endsWith(cut)) {
@@ -103,7 +103,7 @@ private:
     std::set<std::uint64_t> m_goneBackTo;
     std::map<std::uint64_t, history::MomentId> m_ids;  ///< by tick
     history::ToothMoment m_unfinished;                 ///< the moment of the current or last stroke
-    std::uint64_t m_strokeBegan = 0;                   ///< older events belong to another stroke
+    std::uint64_t m_strokeBegan = 0;                   ///< events before it belong to another stroke
     std::chrono::microseconds m_time{0};
     bool m_hasCut = false;
     int m_strokes = 0;
@@ -118,7 +118,7 @@ Result<std::unique_ptr<ResumableAttempt>> rebuild(recording::Recording recording
         return tl::unexpected(servo.error());
     history::TiledHeights uncut = servo->heights();
     HistoryRebuilder gardener(recording, *servo);
-    // The state after the last tick. It differs from the final state if an undo was the last action.
+    // The state after the last tick differs from the final state if an undo was the last action.
     bool wentElsewhere = false;
     const auto witness = [&] { return recording::Witness{servo->tick(), terrain::stateHash(servo->tooth().tooth())}; };
     std::optional<recording::Witness> last;

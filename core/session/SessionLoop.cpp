@@ -12,7 +12,8 @@
 namespace core::session {
 namespace {
 
-/// Number of restored moments kept for the loop that follows the attempt. If it falls behind more, it begins anew.
+/// Number of restored moments stored for the loop that follows the attempt. If that loop is further behind, it begins
+/// again.
 constexpr std::size_t kRestoredKept = 256;
 
 }  // namespace
@@ -115,7 +116,7 @@ void SessionLoop::applyGroup()
     }
 }
 
-/// Makes the present mirror a moment of the history. The mutex is held.
+/// Adds the present mirror to the history as a moment. The caller holds the mutex.
 void SessionLoop::rememberUnfinished()
 {
     if (!m_unfinished)
@@ -127,12 +128,12 @@ void SessionLoop::rememberUnfinished()
 
 void SessionLoop::takeCommands()
 {
-    // A command may hand a tooth to the servo, so it is taken only when the queue has room.
+    // A command may hand a tooth to the servo, so it is taken only if the queue to the servo has room.
     for (SessionCommand command; m_servo.commands.space() > 0 && m_ui.commands.tryPop(command);)
         std::visit([this](auto&& known) { apply(std::forward<decltype(known)>(known)); }, std::move(command));
 }
 
-/// Goes to another moment, if `go` finds one. Cuts since the last moment become a moment first.
+/// Moves to another moment, if `go` finds one. If there are cuts since the last moment, adds a moment first.
 void SessionLoop::step(const std::function<bool()>& go)
 {
     if (!m_anatomy)
@@ -192,7 +193,7 @@ void SessionLoop::apply(ResumeAttempt&& resume)
     take(std::move(*resume.attempt), resume.generation, true, std::move(servo));
 }
 
-/// Begins with an attempt, or resumes one.
+/// Begins an attempt, or resumes one.
 void SessionLoop::take(ResumableAttempt attempt, std::uint64_t generation, bool resumed,
                        std::unique_ptr<servo::ServoTick> servo)
 {
@@ -215,7 +216,7 @@ void SessionLoop::take(ResumableAttempt attempt, std::uint64_t generation, bool 
         m_removed = history::RemovedTally(m_anatomy);
         m_restored.clear();
         m_group.clear();
-        // The view has the whole tooth already.
+        // The view has the whole tooth already, so it needs only the patches that are cut.
         const auto cut = history::patchesBetween(m_uncut, m_mirror, tick, m_generation);
         m_toUi.assign(cut.begin(), cut.end());
         m_noted.clear();
@@ -238,7 +239,7 @@ void SessionLoop::apply(const AddNote& added)
     note({servo::ServoEvent::Kind::Note, 0, glm::vec3(0.0F), added.code});
 }
 
-/// Records an event, if the recording is that of the present tooth. The mutex is held.
+/// Records an event, if the recording belongs to the present tooth. The caller holds the mutex.
 void SessionLoop::note(const servo::ServoEvent& event)
 {
     if (m_recordedGeneration != m_generation)
@@ -270,7 +271,7 @@ void SessionLoop::apply(const servo::SetParameter& number)
 void SessionLoop::apply(SetFixture&& held)
 {
     if (m_servo.commands.tryPush(servo::SetFixture{held.fixture.get()}))
-        static_cast<void>(held.fixture.release());  // comes back through retiredFixtures
+        static_cast<void>(held.fixture.release());  // the servo returns it through retiredFixtures
 }
 
 void SessionLoop::apply(const servo::BringHome& home)
@@ -278,7 +279,7 @@ void SessionLoop::apply(const servo::BringHome& home)
     static_cast<void>(m_servo.commands.tryPush(home));
 }
 
-/// Gives the servo the tooth of the present moment, and the view the changes.
+/// Sends the tooth of the present moment to the servo, and the changes to the view.
 void SessionLoop::handOver()
 {
     const history::ToothMoment& moment = m_undo.current();
@@ -327,8 +328,8 @@ std::optional<recording::Recording> SessionLoop::recordingSoFar() const
 {
     const std::lock_guard lock(m_mutex);
     std::optional<recording::Recording> copy = m_recording;
-    // Patches come in groups, so the mirror may be a few ticks behind the events but is never ahead. It is valid for
-    // its own tick, unless the recording had to stop before that.
+    // Patches arrive in groups, so the mirror may be a few ticks behind the events, but is never ahead. The copy is
+    // valid for the tick of the mirror, unless the recording had to stop before that.
     if (copy && m_recordedGeneration == m_generation && m_vouchedTick && *m_vouchedTick <= copy->ticks())
         copy->setWitness({*m_vouchedTick, terrain::stateHash(terrain::restored(m_anatomy, m_vouched.flat()))});
     return copy;

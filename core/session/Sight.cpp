@@ -7,11 +7,11 @@
 namespace core::session {
 namespace {
 
-/// First byte of a note that holds a sight. Other notes begin with an ASCII letter.
+/// First byte of a note that stores the visibility. Other notes begin with an ASCII letter.
 constexpr std::uint64_t kTag = 0xE7ULL << 56U;
 constexpr std::uint64_t kTagMask = 0xFFULL << 56U;
 
-/// A number in the note, stored as one of 2^bits steps.
+/// A number of the note, stored in one of 2^bits steps.
 struct Field
 {
     unsigned shift;

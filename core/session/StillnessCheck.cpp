@@ -9,7 +9,7 @@
 namespace core::session {
 namespace {
 
-/// Sum of some places, to compute their mean.
+/// Sum of positions, to compute their mean.
 struct Sum
 {
     glm::dvec3 placeMm{0.0};

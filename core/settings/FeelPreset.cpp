@@ -11,8 +11,8 @@ constexpr std::size_t kShownHash = 8;
 
 using Field = NumberField<FeelPreset>;
 
-// Damping: CHAI3D's limit for a Falcon (docs/facts/haptics.md, section 5). Beyond it, and beyond 60 for fast motion,
-// the damper itself swings when the device answers late (StabilityBound.h).
+// The damping is limited by CHAI3D's value for a Falcon (docs/facts/haptics.md, section 5). With more, or with more
+// than 60 for fast motion, the damper itself oscillates when the device answers late (StabilityBound.h).
 const std::array<Field, kCuttingFields + 5> kFields{{
     {"soft_caries.rate_mm3_per_ns", "rate of soft caries", kRateUnit, &FeelPreset::softCariesRate, kMinRateMm3PerNs,
      kMaxRateMm3PerNs},
@@ -47,7 +47,7 @@ std::string labelWith(const FeelPreset& preset, std::size_t digits)
     return label + (preset.hash.empty() ? ", changed" : " #" + preset.hash.substr(0, digits));
 }
 
-/// Returns the row of the preset for all decay, or for its soft zone.
+/// Returns the row of the preset for the tooth's decay; for decay with zones, that of the soft zone.
 Substance decayOf(const ToothKind& tooth)
 {
     return tooth.decay == DecayKind::Firm ? Substance::FirmCaries : Substance::SoftCaries;
@@ -90,7 +90,7 @@ std::string labelOf(const FeelPreset& preset)
 HardnessPreset hardnessFor(const FeelPreset& preset, const ToothKind& tooth)
 {
     HardnessPreset hardness;
-    hardness.name = labelWith(preset, std::string::npos);  // an attempt refers to it by this name
+    hardness.name = labelWith(preset, std::string::npos);  // the label by which an attempt refers to it
     hardness.axialShare = preset.axialShare;
     hardness.flatEndShare = preset.flatEndShare;
     hardness.fullLoadN = preset.fullLoadN;

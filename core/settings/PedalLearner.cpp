@@ -7,8 +7,8 @@
 namespace core::settings {
 namespace {
 
-constexpr double kBackShare = 0.25;    ///< of the travel: this near to the first reading the pedal is released
-constexpr double kSteadyShare = 0.02;  ///< of the travel: a resting pedal moves less between two readings
+constexpr double kBackShare = 0.25;    ///< of the travel: a pedal this near to its first reading is released
+constexpr double kSteadyShare = 0.02;  ///< of the travel: largest movement of a resting pedal between two readings
 
 double readingOf(float raw, double before)
 {

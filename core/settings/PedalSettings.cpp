@@ -7,7 +7,7 @@
 namespace core::settings {
 namespace {
 
-constexpr double kFullAt = 0.97;  ///< share of the travel that counts as full: a pedal wears
+constexpr double kFullAt = 0.97;  ///< share of the travel that counts as full, because pedals wear
 
 }  // namespace
 

@@ -11,7 +11,7 @@ constexpr double kDampingShare = 0.598;
 constexpr double kLatenessShare = 0.27;
 constexpr double kMPerMm = 0.001;
 
-/// Returns a value with two decimals, rounded down: a bound that is shown must be a valid setting.
+/// Returns a value with two decimals, rounded down, because the bound that is shown must be a valid setting.
 std::string told(double value)
 {
     return plainNumber(std::floor(value * 100.0) / 100.0);

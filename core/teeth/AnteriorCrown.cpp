@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kTau = 2.0 * std::numbers::pi;
 constexpr int kFine = 384;
-/// Share of the crown over which the incisal edge is rounded, and share of its thickness that remains at the very top.
+/// Share of the crown over which the incisal edge is rounded, and share of the thickness that remains at its end.
 constexpr double kEdgeShare = 0.07;
 constexpr double kEdgeLeft = 0.12;
 /// Share of the crown below its edge at which it is as wide as the edge is drawn.
@@ -29,7 +29,7 @@ double on(const Curve& curve, double t)
     const double u = place - first;
     const double v = 1.0 - u;
     const auto control = [&](int k) {
-        // Beyond its ends the curve is straight.
+        // The curve continues straight beyond its ends.
         if (k < 0)
             return 2.0 * curve[0] - curve[1];
         if (k > 8)
@@ -62,7 +62,7 @@ double bell(double x, double centre, double width)
 /// Returns how far the lingual surface is above (towards the lip) or below its envelope.
 double lingualRelief(const AnteriorDesign& d, double xi, double t)
 {
-    // A bowl that narrows towards the cingulum: a shield between two marginal ridges that meet at its lower end.
+    // A hollow that narrows towards the cingulum, like a shield between two marginal ridges that meet at its lower end.
     const double down = std::clamp((t - d.fossaFrom) / (d.fossaTo - d.fossaFrom), 0.0, 1.0);
     const double length = 4.0 * down * (1.0 - down) * (1.2 - 0.4 * down);
     const double half = d.fossaHalf * (1.25 - 0.75 * down);
@@ -81,7 +81,7 @@ double labialRelief(const AnteriorDesign& d, double xi, double t)
     return d.labialRidgeMm * ridge - d.labialGrooveMm * grooves;
 }
 
-/// Returns one section in even steps: the labial half first, from the distal to the mesial side, then the lingual half.
+/// Returns one section in even steps: the labial half first, from distal to mesial, then the lingual half.
 std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes, int around, double t)
 {
     const double edge = std::max(1.0 - t / kEdgeShare, 0.0);
@@ -92,7 +92,7 @@ std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes
     const double labial = on(d.labialY, t);
     const double lingual = on(d.lingualY, t);
     const double middle = 0.5 * (labial + lingual);
-    // The uppermost sections are narrower but on the same edge: no lower one rises above it.
+    // The uppermost sections are narrower but on the same edge, so that no lower section is above the edge.
     const double edgeFrom = on(d.mesialX, std::max(t, kEdgeWidthShare));
     const double edgeTo = on(d.distalX, std::max(t, kEdgeWidthShare));
 
@@ -151,14 +151,14 @@ MeshBuilder::Ring buildAnteriorCrown(MeshBuilder& builder, const AnteriorDesign&
     const auto around = static_cast<std::size_t>(detail.edgeAround);
     MeshBuilder::Ring above;
     for (int r = 0; r <= detail.edgeSections; ++r) {
-        // Sections are closer where the incisal edge turns over.
+        // Sections are closer to each other where the incisal edge is rounded.
         const double t = std::pow(static_cast<double>(r) / detail.edgeSections, 1.5);
         const std::vector<glm::dvec3> points = section(design, sizes, detail.edgeAround, t);
         MeshBuilder::Ring ring;
         for (std::size_t k = 0; k < points.size(); k += r < detail.edgeSections ? 1 : 2)
             ring.push_back(builder.add(points[k]));
         if (r == 0) {
-            // The edge itself is a narrow strip between the labial and the lingual half.
+            // The edge is a narrow strip between the labial and the lingual half.
             for (std::size_t k = 0; k < around / 2; ++k) {
                 const MeshBuilder::Index a = ring[k];
                 const MeshBuilder::Index b = ring[k + 1];

@@ -36,7 +36,7 @@ constexpr double kOverbiteMm = 2.0;
 /// Distance at which teeth count as touching, mm.
 constexpr double kTouchMm = 0.12;
 constexpr double kContactCellMm = 0.08;
-/// Height of the papilla's tip: so far below the contact, but no higher than that above the margin; mm.
+/// Height of the papilla's tip: this far below the contact, but at most the second value above the margin; mm.
 constexpr double kBelowContactMm = 0.2;
 constexpr double kHighestPapillaMm = 3.6;
 
@@ -56,8 +56,8 @@ const glm::dmat4& mirror()
     return matrix;
 }
 
-/// Sets the neck of a tooth: the CEJ at its outermost and at its innermost, and as the end of the tooth the distal end
-/// of the CEJ. Returns the height of that end.
+/// Sets the neck of a tooth: the CEJ at its outermost and at its innermost place. The end of the tooth is the distal
+/// end of the CEJ. Returns the height of that end.
 double findNeck(const CoarseTooth& tooth, const glm::dmat4& jawFromTooth, const ArchCurve& curve, GumTooth& gum)
 {
     double outermost = -1.0e9;
@@ -83,7 +83,7 @@ double findNeck(const CoarseTooth& tooth, const glm::dmat4& jawFromTooth, const 
     return distalNeckMm;
 }
 
-/// The point of the crown that stands on the arch curve: incisal edge, tip of the canine or of the buccal cusp.
+/// Returns the point of the crown on the arch curve: incisal edge, tip of the canine or of the buccal cusp.
 glm::dvec3 archPoint(const CoarseTooth& tooth, int fdi)
 {
     const double buccal = buccalSign(fdi);
@@ -122,7 +122,7 @@ SampleMap sideOf(const CoarseTooth& tooth, const glm::dmat4& jawFromTooth, glm::
         const glm::dvec3 p(jawFromTooth * glm::dvec4(tooth.mesh.vertices[k], 1.0));
         points.emplace_back(glm::dot(glm::dvec2(p), across), p.z, glm::dot(glm::dvec2(p), along));
     }
-    // One frame for all: no jaw is wider than this across the arch.
+    // All maps have the same frame, because no jaw is wider than this across the arch.
     SampleMap map({-60.0, -12.0}, {60.0, 1.0}, kContactCellMm, farSide ? -1.0e9 : 1.0e9);
     for (const auto& t : tooth.mesh.triangles) {
         if (std::max({t[0], t[1], t[2]}) >= tooth.crownVertices)
@@ -134,7 +134,7 @@ SampleMap sideOf(const CoarseTooth& tooth, const glm::dmat4& jawFromTooth, glm::
     return map;
 }
 
-/// Returns the least distance along the arch, and its place.
+/// Returns the smallest distance along the arch, and its place.
 ArchContact contactOf(const SampleMap& far, const SampleMap& near, glm::dvec2 along)
 {
     ArchContact contact;
@@ -162,11 +162,11 @@ ArchContact contactOf(const SampleMap& far, const SampleMap& near, glm::dvec2 al
     return contact;
 }
 
-/// Length below the CEJ at which roots are cut off under the gum, mm: they are not visible any deeper.
+/// Length of roots below the CEJ, mm. They are cut off deeper under the gum, where they are not visible.
 constexpr double kRootStumpMm = 2.5;
 
-/// Depths below the neck at which the gum beside a single tooth begins to fade and has vanished; and the root of a
-/// neighbour.
+/// Depths below the neck at which the gum beside a single tooth begins to fade, and at which it has vanished. The same
+/// for the root of a neighbour.
 constexpr double kFadeFromMm = 0.8;
 constexpr double kFadeToMm = 3.8;
 constexpr double kRootFadeFromMm = -0.2;
@@ -187,7 +187,7 @@ void cutRoot(LookMesh& mesh, const CoarseTooth& tooth)
                         [&](std::uint32_t v) { return mesh.vertices[v].positionMm.z > end; }))
             left.insert(left.end(), mesh.indices.data() + k, mesh.indices.data() + k + 3);
     mesh.indices = std::move(left);
-    // Unused vertices would still be uploaded.
+    // Unused vertices are removed, because they would be uploaded to the graphics card.
     std::vector<std::uint32_t> moved(mesh.vertices.size(), 0xFFFFFFFFU);
     std::vector<LookVertex> vertices;
     for (std::uint32_t& k : mesh.indices) {
@@ -227,7 +227,7 @@ glm::dmat4 mouthFromJaw(Jaw jaw, double openRad)
     if (jaw == Jaw::Upper)
         return glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, -1.0));
     const glm::dvec3 hinge(0.0, kHingeBackMm, kHingeUpMm);
-    // About +x, forward (-y) turns down.
+    // Rotates about +x, which turns the front (-y) downwards.
     glm::dmat4 open = glm::translate(glm::dmat4(1.0), hinge);
     open = glm::rotate(open, openRad, glm::dvec3(1.0, 0.0, 0.0));
     open = glm::translate(open, -hinge);
@@ -254,7 +254,7 @@ const CoarseTooth& Arch::tooth(int fdi) const
     return m_teeth.at(indexOf(fdi));
 }
 
-/// Places the teeth from the midline backwards, each against the one before.
+/// Places the teeth from the midline backwards, each in contact with the one before.
 void Arch::place(Jaw jaw)
 {
     const ArchCurve curve(jaw);
@@ -267,7 +267,7 @@ void Arch::place(Jaw jaw)
         glm::dmat4& stand = m_jawFromTooth.at(indexOf(fdi));
         ArchContact contact;
         if (position == 1) {
-            // Its fellow is its mirror image: both touch the plane between them.
+            // The tooth on the other side is its mirror image, so both touch the plane between them.
             alongMm = halfMm;
             for (int pass = 0; pass < 12; ++pass) {
                 stand = standAt(curve, fdi, point, alongMm);
@@ -306,7 +306,7 @@ void Arch::place(Jaw jaw)
     }
 }
 
-/// Builds the display meshes: teeth, gums, and the light between them.
+/// Builds the display meshes of teeth and gums, and computes the light between them.
 void Arch::dress(Jaw jaw)
 {
     const ArchCurve curve(jaw);
@@ -411,7 +411,7 @@ std::vector<ArchPiece> Arch::neighbours(int fdi) const
     return pieces;
 }
 
-/// Returns the contact of a tooth with the next or the previous one; null behind the last.
+/// Returns the contact of a tooth with the next or the previous one; null if there is no such tooth.
 const ArchContact* Arch::endOf(int fdi, bool distal) const
 {
     const auto found = std::find_if(m_contacts.begin(), m_contacts.end(), [&](const ArchContact& contact) {
@@ -446,7 +446,7 @@ std::shared_ptr<const LookMesh> Arch::fading(const Piece& piece, const ArchConta
     }
     const ArchCurve curve(piece.jaw);
     const double endMm = end != nullptr ? curve.placeOf(glm::dvec2(end->middleMm)).alongMm : 0.0;
-    // Between two teeth, the heights of their necks are blended.
+    // Between two teeth, the height is blended from the heights of their necks.
     struct Neck
     {
         glm::dvec2 at{0.0};

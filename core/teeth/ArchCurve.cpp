@@ -10,11 +10,11 @@ namespace core::teeth {
 namespace {
 
 constexpr double kStepMm = 0.1;
-/// Beyond the third molars and the gum behind them.
+/// Length of the curve: it extends beyond the third molars and the gum behind them.
 constexpr double kLengthMm = 85.0;
 
-/// Distance of canine tips and mesiobuccal cusps behind the incisal edges. It is chosen so that the mean crowns
-/// (ToothTable) just fill the curve up to there.
+/// Distance of canine tips and mesiobuccal cusps behind the incisal edges. With it, the mean crowns (ToothTable)
+/// exactly fill the curve up to there.
 constexpr double kCanineDepthMm[2] = {7.2, 5.0};
 constexpr double kMolarDepthMm[2] = {26.0, 22.7};
 
@@ -28,7 +28,7 @@ ArchCurve::ArchCurve(Jaw jaw)
     const double determinant = c * m * m - c * c * m;
     const double a = (kCanineDepthMm[k] * m * m - kMolarDepthMm[k] * c * c) / determinant;
     const double b = (c * kMolarDepthMm[k] - m * kCanineDepthMm[k]) / determinant;
-    // Fine enough that the chords are as long as the curve.
+    // So fine that the total length of the chords is that of the curve.
     constexpr int kChordsAStep = 50;
     glm::dvec2 here(0.0);
     m_points.push_back(here);
@@ -51,7 +51,7 @@ glm::dvec2 ArchCurve::point(double alongMm) const
 
 glm::dvec2 ArchCurve::tangent(double alongMm) const
 {
-    // Over half a millimetre; straight across at the midline.
+    // Computes the direction over half a millimetre. At the midline it is straight across.
     const double along = std::max(alongMm, 0.0);
     const glm::dvec2 before = along < 0.25 ? point(0.25 - along) * glm::dvec2(-1.0, 1.0) : point(along - 0.25);
     return glm::normalize(point(along + 0.25) - before);
@@ -65,7 +65,7 @@ glm::dvec2 ArchCurve::outward(double alongMm) const
 
 ArchPlace ArchCurve::placeOf(glm::dvec2 where) const
 {
-    // First coarse, then fine around the best.
+    // Searches coarsely first, then finely around the best point.
     const int last = static_cast<int>(m_points.size()) - 1;
     const auto apart = [&](int k) {
         const glm::dvec2 d = where - m_points[static_cast<std::size_t>(k)];

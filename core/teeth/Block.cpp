@@ -44,7 +44,7 @@ LocalizableText number(double value)
     return noted(plainNumber(value));
 }
 
-/// Boxes side by side with shared corners: heights over a lattice of rectangles, as one closed surface.
+/// A closed surface of boxes side by side that share their corners: heights over a lattice of rectangles.
 class Steps
 {
 public:
@@ -61,7 +61,7 @@ public:
                      {m_x[a], m_y[b + 1], z});
                 quad({m_x[a], m_y[b + 1], m_bottom}, {m_x[a + 1], m_y[b + 1], m_bottom}, {m_x[a + 1], m_y[b], m_bottom},
                      {m_x[a], m_y[b], m_bottom});
-                // Each wall belongs to the higher of its two neighbours.
+                // Each wall belongs to the higher of the two boxes beside it.
                 const glm::dvec2 sw{m_x[a], m_y[b]};
                 const glm::dvec2 se{m_x[a + 1], m_y[b]};
                 const glm::dvec2 ne{m_x[a + 1], m_y[b + 1]};
@@ -79,7 +79,7 @@ private:
 
     void wall(glm::dvec2 from, glm::dvec2 to, double high, double low)
     {
-        // Cut at every level, so that walls of different height share the corners of their common edge.
+        // Walls are divided at every level, so that walls of different height share the corners of their common edge.
         std::vector<double> levels{high, low};
         for (const double z : m_heights)
             if (z < high && z > low)
@@ -106,8 +106,8 @@ private:
     mesh::TriangleMesh m_mesh;
 };
 
-/// Depth of the junction below the top of a block, mm: a smooth random field, scaled to run from enamelMm to depthMm
-/// within the window.
+/// Depth of the junction below the top of a block, mm: a smooth random field, scaled so that it ranges from enamelMm to
+/// depthMm within the window.
 class JunctionDepth
 {
 public:

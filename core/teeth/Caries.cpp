@@ -15,7 +15,7 @@
 namespace core::teeth {
 namespace {
 
-constexpr float kOverPulpMm = 0.5F;       ///< dentin spared by every lesion (Murray 2003: with less, the pulp is hurt)
+constexpr float kOverPulpMm = 0.5F;       ///< dentin spared by every lesion (Murray 2003: less dentin harms the pulp)
 constexpr double kJunctionAt = 0.25;      ///< severity at which a lesion has passed through the enamel
 constexpr double kValleyRadiusMm = 0.7;   ///< half the width of a groove between two inclines
 constexpr double kFissureRadiusMm = 0.3;  ///< half the width of the fissure in it
@@ -61,7 +61,7 @@ Ground survey(const terrain::Grid& grid, std::span<const float> top, std::span<c
             minusRoof[k] = -layers[k].pulpRoof;
     ground.sideMm = distanceInside(grid, solidNodes(top, bottom));
     ground.broadestMm = static_cast<double>(*std::max_element(ground.sideMm.begin(), ground.sideMm.end()));
-    // A ball of the spared dentin around the pulp, plus the distance between nodes of the lattice.
+    // A ball with the radius of the spared dentin around the pulp, plus the distance between nodes of the lattice.
     const float radius = kOverPulpMm + 1.5F * static_cast<float>(ground.lattice.cellMm());
     ground.limit = ground.lattice.ballsBelow(ground.lattice.pick(minusRoof, kNoValue),
                                              std::vector<float>(ground.lattice.count(), radius));
@@ -174,7 +174,7 @@ private:
 
     void take(std::vector<std::uint8_t>& taken, const Stop& at) const { taken[m_lattice.index(at.a, at.b)] = 1; }
 
-    /// Returns whether the path passes within kReach of (a, b), apart from the surroundings of `at`.
+    /// Returns whether the path passes within kReach of (a, b). Ignores the surroundings of `at`.
     [[nodiscard]] bool touchesPath(int a, int b, const Stop& at, const std::vector<std::uint8_t>& taken) const
     {
         for (int nb = std::max(0, b - kReach); nb <= std::min(m_lattice.side() - 1, b + kReach); ++nb)
@@ -184,7 +184,7 @@ private:
         return false;
     }
 
-    /// Moves to the deepest neighbour in the valley; returns false at its end.
+    /// Moves to the deepest neighbour in the valley. Returns false at the end of the valley.
     bool step(Stop& at, std::vector<std::uint8_t>& taken, Rng& rng) const
     {
         Stop next = at;
@@ -199,7 +199,7 @@ private:
                 const double wander = rng.uniform(0.8, 1.2);
                 if (taken[k] != 0 || m_valley[k] < kValleyMm || touchesPath(a, b, at, taken))
                     continue;
-                // Straight on is preferred to a corner, and never back.
+                // Prefers a straight direction to a corner, and never turns back.
                 const int turn = da * at.alongA + db * at.alongB;
                 if (turn < 0)
                     continue;
@@ -212,7 +212,7 @@ private:
         }
         if (best == 0.0)
             return false;
-        // The other candidates of this step are blocked.
+        // The other candidates of this step are blocked for later steps.
         for (int db = -1; db <= 1; ++db)
             for (int da = -1; da <= 1; ++da)
                 if (at.a + da >= 0 && at.b + db >= 0 && at.a + da < m_lattice.side() && at.b + db < m_lattice.side())
@@ -261,7 +261,8 @@ std::optional<double> junctionAt(const Ground& ground, glm::dvec2 at)
     return weights > 0.0 ? std::optional(sum / weights) : std::nullopt;
 }
 
-/// Grows the lesion of one severity (0 .. 1) at one stop. Every length grows with the severity, so that lesions nest.
+/// Grows the lesion of one severity (0 .. 1) at one stop. Every length increases with the severity, so that a smaller
+/// lesion is always inside a larger one.
 void growAt(Ground& ground, const LesionStop& stop, double severity)
 {
     const terrain::Grid& grid = ground.grid;
@@ -289,7 +290,7 @@ void growAt(Ground& ground, const LesionStop& stop, double severity)
             terrain::ColumnLayers& column = ground.layers[k];
             const double aside =
                 grid.cellMm * std::sqrt((i - centre.x) * (i - centre.x) + (j - centre.y) * (j - centre.y));
-            // The nearest node always belongs to the mouth, however fine it is.
+            // The nearest node always belongs to the mouth of the lesion, even on a fine grid.
             const bool isNearest = i == static_cast<int>(node.x) && j == static_cast<int>(node.y);
             // If enamel fills the whole column, the lesion has no junction to follow, and none down the wall.
             if (!ground.solid(k) || (aside > base && !isNearest) || column.dej - ground.bottom[k] < 0.3F ||
@@ -340,7 +341,8 @@ void growAlong(Ground& ground, std::span<const LesionStop> line, double extent)
     }
 }
 
-/// Grows the decay of a smooth surface. Every length grows with the extent, so that lesions nest.
+/// Grows the decay of a smooth surface. Every length increases with the extent, so that a smaller lesion is always
+/// inside a larger one.
 void growOnSurface(Ground& ground, const SurfaceLesion& lesion, double extent)
 {
     constexpr double kSmallest = 0.45;    ///< share of the half lengths at the start of decay
@@ -378,7 +380,7 @@ void growOnSurface(Ground& ground, const SurfaceLesion& lesion, double extent)
     }
 }
 
-/// Follows the 2011 rule: from the lowest point near the centre, depth first, the lower neighbour first.
+/// Grows decay by the rule of 2011: from the lowest point near the centre, depth first, the lower neighbour first.
 void fillLowPoints(Ground& ground, double extent, std::uint64_t seed)
 {
     constexpr double kLargestMm2 = 12.0;
@@ -406,7 +408,7 @@ void fillLowPoints(Ground& ground, double extent, std::uint64_t seed)
                static_cast<double>(ground.sideMm[grid.index(i, j)]) > kTableShare * ground.broadestMm;
     };
     const auto height = [&](int i, int j) { return ground.top[grid.index(i, j)]; };
-    // If two ways are about equally low, the seed decides.
+    // If two directions are about equally low, the seed decides.
     const ValueNoise lure(seed, 0.8);
     const auto pull = [&](const std::pair<int, int>& at) {
         if (!allowed(at.first, at.second))

@@ -41,7 +41,8 @@ constexpr std::array kLingualDepthsMm{0.0, 0.05, 0.13, 0.26, 0.45, 0.75, 1.15, 1
 constexpr int kFootColumns = 3;   ///< columns from there down to the foot
 constexpr int kCrestColumns = 3;  ///< between the two margins
 
-/// The extent of the teeth to one side, over (along the arch, z), and the same with the hollows between them spanned.
+/// The extent of the teeth to one side, over (along the arch, z), and the same extent with the hollows between them
+/// spanned.
 class Contour
 {
 public:
@@ -70,7 +71,7 @@ public:
     [[nodiscard]] double spanned(double alongMm, double z) const { return read(m_spanned, alongMm, z); }
 
 private:
-    /// Spans the gaps between teeth with straight lines. Where no root reaches down, a row is like the one above.
+    /// Spans the gaps between teeth with straight lines. Rows without any root are copies of the row above.
     void fill(int row)
     {
         int before = -1;
@@ -89,8 +90,8 @@ private:
                                                           : 0.0;
     }
 
-    /// Returns the map without undercuts. The drilled tooth is a map of heights, so a hollow between its crown and root
-    /// is filled, and the gum has to cover it.
+    /// Returns the map without undercuts. The drilled tooth is a height map, so a hollow between its crown and root is
+    /// filled, and the gum has to cover it.
     [[nodiscard]] SampleMap withoutUndercuts() const
     {
         SampleMap filled = m_reach;
@@ -127,7 +128,7 @@ private:
                 }
                 line[onLine(column)] = most;
             }
-            // This removes the creases where two spans meet.
+            // Smooths the creases between two spans.
             const int soft = static_cast<int>(std::lround(kDeepSoftMm * deep / kMapCellMm));
             for (int column = 0; column < m_reach.columns; ++column) {
                 double sum = 0.0;
@@ -160,8 +161,8 @@ struct Side
     std::vector<glm::dvec2> points;
 };
 
-/// Builds the gum from sections across the arch: all have the same number of points, so that two neighbouring ones are
-/// joined by triangles.
+/// Builds the gum from sections across the arch. All sections have the same number of points, so that neighbouring ones
+/// can be joined by triangles.
 class GumBuilder
 {
 public:
@@ -211,8 +212,8 @@ private:
         return sum / (2 * kSteps + 1);
     }
 
-    /// Returns the thickness of the gum over teeth and roots. Further down, the depth below a margin without scallops
-    /// counts: otherwise a pleat would hang from each papilla.
+    /// Returns the thickness of the gum over teeth and roots. Further down it uses the depth below a margin without
+    /// scallops: otherwise there would be a fold below each papilla.
     [[nodiscard]] double thicknessMm(double depth, double evenDepth, bool isFacial) const
     {
         const double even = 0.30 + 0.55 * eased(0.0, 2.2, depth);
@@ -251,7 +252,7 @@ private:
         return side;
     }
 
-    /// Adds the vertices of one section: shell, facial side, crest, lingual side, and room for the base.
+    /// Adds the vertices of one section: shell, facial side, crest, lingual side, and space for the base.
     void addSection(int station)
     {
         const double along = std::min(station * kStationMm, m_endMm);
@@ -259,7 +260,7 @@ private:
         const glm::dvec2 outward = m_curve.outward(along);
         Side front = sideAt(along, true, kFacialDepthsMm);
         Side back = sideAt(along, false, kLingualDepthsMm);
-        // Where teeth touch the two margins meet; they do not pass each other.
+        // Where teeth touch, the two margins meet but must not cross.
         if (const double crossed = -front.points.front().x - back.points.front().x; crossed > 0.0) {
             front.points.front().x += 0.5 * crossed + 0.02;
             back.points.front().x += 0.5 * crossed + 0.02;
@@ -291,7 +292,7 @@ private:
         m_columns = m_gumColumns + kBaseColumns;
     }
 
-    /// Adds the shell of one section, from the midline to the foot of the gum: upright where the two meet.
+    /// Adds the shell of one section, from the midline to the foot of the gum. It is vertical where the two meet.
     void addShell(int station, double along, const glm::dvec2& foot)
     {
         if (station == 0)
@@ -309,8 +310,8 @@ private:
         }
     }
 
-    /// Places the base of one section, from the gum's lingual end to the midline: a vault above, below the tongue. Its
-    /// rows lose the shape of single teeth on the way.
+    /// Places the base of one section, from the gum's lingual end to the midline. It is a vault below the tongue, whose
+    /// rows gradually lose the shape of single teeth.
     void placeBase(int station)
     {
         glm::vec3 even(0.0F);
@@ -331,7 +332,7 @@ private:
         }
     }
 
-    /// The two halves meet without an edge.
+    /// Joins the two halves so that there is no visible edge.
     void joinHalves()
     {
         for (LookVertex& v : m_all.vertices)
@@ -355,7 +356,7 @@ private:
         return gums;
     }
 
-    /// Returns a mesh with only the vertices that it uses.
+    /// Returns a part of the mesh with only the vertices that this part uses.
     [[nodiscard]] LookMesh cutOut(int fromStation, int toStation, int fromColumn, int toColumn) const
     {
         LookMesh part;
@@ -371,7 +372,8 @@ private:
         return part;
     }
 
-    /// Closes the back of the shell: from its last line to the last one of the base, both from the midline outwards.
+    /// Closes the back of the shell, from its last line to the last line of the base; both run from the midline
+    /// outwards.
     void closeBack(LookMesh& shell) const
     {
         const auto first = static_cast<std::uint32_t>(shell.vertices.size());

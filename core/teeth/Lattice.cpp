@@ -195,7 +195,7 @@ std::vector<std::uint8_t> solidNodes(std::span<const float> top, std::span<const
 
 std::vector<float> distanceInside(const terrain::Grid& grid, std::span<const std::uint8_t> marked, Beyond beyond)
 {
-    // A frame of nodes around the grid represents the space beyond it.
+    // A frame of nodes around the grid represents the space outside it.
     const auto side = static_cast<std::size_t>(grid.side) + 2;
     const double far = 4.0 * static_cast<double>(side) * static_cast<double>(side);
     std::vector<double> squared(side * side, beyond == Beyond::Marked ? far : 0.0);

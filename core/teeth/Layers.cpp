@@ -59,8 +59,8 @@ public:
         m_halfWidth = std::max(grid.cellMm, 0.5 * (right - left));
     }
 
-    /// Returns the height of the CEJ at a place. It is lowest on the facial and lingual side and rises mesially (-x)
-    /// and distally.
+    /// Returns the height of the CEJ at a position. It is lowest on the facial and lingual side and rises towards the
+    /// mesial (-x) and distal side.
     [[nodiscard]] double cervixAt(double x) const
     {
         const double u = std::clamp((x - m_centreX) / m_halfWidth, -1.0, 1.0);
@@ -68,7 +68,8 @@ public:
         return m_highest - m_figures.crownHeight + (m_isSteepAside ? rise * u * u : rise);
     }
 
-    /// Takes the neck from the sizes with which the program made the tooth, instead of an estimate from the crown.
+    /// Sets the neck from the sizes with which the program generated the tooth, instead of estimating it from the
+    /// crown.
     void fitNeck(const ToothSizes& made)
     {
         m_figures.sizes = made;
@@ -77,7 +78,7 @@ public:
         m_isSteepAside = m_figures.kind == ToothKind::Premolar || m_figures.kind == ToothKind::Molar;
     }
 
-    /// Returns a factor near 1 for every thickness, by person and place.
+    /// Returns a factor near 1 for every thickness. It depends on the tooth's seed and the position.
     [[nodiscard]] double variation(double x, double y) const
     {
         return m_person * (1.0 + 0.08 * m_patches.at(x - m_middle.x, y - m_middle.y));
@@ -92,8 +93,8 @@ public:
                         m_figures.cuspEnamel);
     }
 
-    /// Returns the height above the CEJ at which lateral() is `thickness`: there the junction meets a wall at that
-    /// distance.
+    /// Returns the height above the CEJ at which lateral() equals `thickness`: at that height the junction meets a wall
+    /// at that distance.
     [[nodiscard]] double heightOf(double thickness) const
     {
         const double low = thickness / (m_figures.enamelPerHeight + kEdge / kEdgeHeight);
@@ -103,7 +104,7 @@ public:
     /// Returns the enamel at an incisal edge, along the axis; 0 if there is none.
     [[nodiscard]] double edgeMm() const { return m_figures.edgeEnamel; }
 
-    /// Returns the enamel under a surface point at height z over (x, y), `side` away from the outline.
+    /// Returns the enamel under a surface point at height z over (x, y), at the distance `side` from the outline.
     [[nodiscard]] double thickness(double x, double y, double z, double side) const
     {
         const double above = z - cervixAt(x);
@@ -122,7 +123,7 @@ private:
     static constexpr double kEdgeHeight = 0.2;
 
     TissueFigures m_figures;
-    ValueNoise m_patches;  ///< relative to the middle of the tooth, so that its place in the frame has no effect
+    ValueNoise m_patches;  ///< relative to the middle of the tooth, so that the origin of the frame has no effect
     glm::dvec2 m_middle;
     double m_person = 1.0;
     double m_highest = 0.0;
@@ -170,7 +171,7 @@ std::vector<float> limitBesideFissures(const Lattice& lattice, const terrain::Gr
     return limit;
 }
 
-/// Returns the lowest height of the junction under an incisal edge: a ridge of dentin follows the edge, with flanks
+/// Returns the lowest height of the junction under an incisal edge. A ridge of dentin follows the edge, with flanks
 /// that fall to the sides. kNoValue far from an edge.
 std::vector<float> ridgeUnderEdge(const Lattice& lattice, const terrain::Grid& grid, std::span<const float> surface,
                                   const Enamel& enamel, double edgeEnamelMm)
@@ -221,7 +222,7 @@ double lengthPerDepth(const terrain::Grid& grid, std::span<const float> top, std
             if (!grid.contains(i + sign * di, j + sign * dj))
                 continue;
             const std::size_t k = grid.index(i + sign * di, j + sign * dj);
-            // The underside ends where the root begins.
+            // The root begins at the end of the underside.
             if (top[k] > bottom[k] && bottom[k] > cervixMm[k])
                 steepest = std::max(steepest, std::abs(bottom[k] - bottom[grid.index(i, j)]));
         }
@@ -273,12 +274,12 @@ void layEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<
             double dej = below == kNoValue ? surface - here : static_cast<double>(below);
             if (const float least = lattice.at(ridge, i, j); least != kNoValue)
                 dej = std::max(dej, static_cast<double>(least));
-            // The wall beside the tooth is vertical from its outline to the CEJ, and thins all the way.
+            // The enamel of a wall is vertical from its outline to the CEJ, and becomes thinner all the way.
             dej = std::min(dej, cervix + enamel.heightOf(toSide / enamel.variation(at.x, at.y)));
             dej = std::min(dej, surface - std::min({kThinnestMm, here, std::max(0.0, surface - cervix)}));
             if (static_cast<double>(bottom[k]) > cervix) {
-                // The underside of a bulge has enamel of its own. It is measured along the normal, so it is longer in a
-                // column on a steeper flank, and the column may have no dentin at all.
+                // The underside of a bulge has enamel too. It is measured along the normal, so it is thicker along a
+                // column on a steeper flank, and such a column may have no dentin at all.
                 const double beneath = enamel.lateral(static_cast<double>(bottom[k]) - cervix);
                 if (dej - static_cast<double>(bottom[k]) < beneath * lengthPerDepth(grid, top, bottom, cervixMm, i, j))
                     dej = static_cast<double>(bottom[k]) - beneath;
@@ -290,7 +291,7 @@ void layEnamel(const terrain::Grid& grid, std::span<const float> top, std::span<
     }
 }
 
-/// Enamel of a tooth that lies on a side, for places of the frame in which it is cut.
+/// Enamel of a tooth that lies on a side, for positions in the frame in which it is cut.
 class LaidEnamel
 {
 public:
@@ -348,7 +349,8 @@ void layLaidEnamel(const terrain::Grid& grid, std::span<const float> top, std::s
     }
     const std::vector<float> under = lattice.ballsBelow(centres, radius);
     const std::vector<float> sideMm = distanceInside(grid, solidNodes(top, bottom));
-    // No side of the model is a root at which the enamel of the underside would end: its thickness decides that.
+    // In a laid tooth no side of the model is the root, where the enamel of the underside would end. Its thickness
+    // decides where it ends.
     const std::vector<float> noNeck(grid.count(), terrain::kEmptyTop);
     for (int j = 0; j < grid.side; ++j) {
         for (int i = 0; i < grid.side; ++i) {
@@ -366,7 +368,7 @@ void layLaidEnamel(const terrain::Grid& grid, std::span<const float> top, std::s
             double dej = below == kNoValue ? surface - here : static_cast<double>(below);
             dej = std::min(dej, surface - std::min(kThinnestMm, here));
             const double beneath = enamel.thickness(glm::dvec3(grid.nodeMm(i, j), ground));
-            // Beside a wall parallel to the bur, a column is all enamel.
+            // Beside a wall parallel to the bur, the whole column is enamel.
             const double wall = enamel.thickness(glm::dvec3(grid.nodeMm(i, j), 0.5 * (surface + ground)));
             if (static_cast<double>(sideMm[k]) < wall ||
                 dej - ground < beneath * lengthPerDepth(grid, top, bottom, noNeck, i, j))
@@ -376,7 +378,7 @@ void layLaidEnamel(const terrain::Grid& grid, std::span<const float> top, std::s
     }
 }
 
-/// Lays layers by the 2011 rule: parallel to the top, and walls a constant distance inside the outline.
+/// Adds layers by the rule of 2011: parallel to the top, and walls at a constant distance inside the outline.
 void layConstantDepth(const terrain::Grid& grid, std::span<const float> top, std::span<const float> bottom,
                       std::span<const float> sideMm, std::vector<terrain::ColumnLayers>& layers)
 {
@@ -418,8 +420,8 @@ std::vector<terrain::ColumnLayers> buildLayers(const terrain::Grid& grid, std::s
         for (int i = 0; i < grid.side; ++i)
             cervix[grid.index(i, j)] = static_cast<float>(enamel.cervixAt(grid.nodeMm(i, j).x));
     layEnamel(grid, top, bottom, side, cervix, enamel, options.seed, layers);
-    // Relative to the grid's corner, places do not change even in their last bits with the origin of the frame. So of
-    // two equally near places the same one is always chosen.
+    // Uses positions relative to the grid's corner, so that the origin of the frame does not change even their last
+    // bits. Of two equally near positions, the same one is then always chosen.
     terrain::Grid fromCorner = grid;
     fromCorner.originMm = {0.0, 0.0};
     hollowPulp(fromCorner, top, bottom, cervix, figures, options.seed, layers);

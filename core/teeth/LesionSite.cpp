@@ -56,7 +56,7 @@ public:
         : m_laid(laid), m_grid(grid), m_top(top), m_bottom(bottom)
     {}
 
-    /// Returns the node of the surface whose point, in the own frame, has the least `cost`.
+    /// Returns the node of the surface whose point, in the own frame, has the smallest `cost`.
     template <class Cost>
     [[nodiscard]] std::size_t best(const Cost& cost) const
     {
@@ -161,7 +161,7 @@ void addFissureLesion(double extent, const LaidTooth& laid, const terrain::Grid&
 
 SurfaceLesion ellipseAt(glm::dvec2 atMm, double halfWidthMm, const Lying& lying)
 {
-    // Along the bur, heights of a side wall appear shorter the less the tooth is tilted.
+    // Along the bur, heights of a side wall appear shorter, the more so the less the tooth is tilted.
     const double half = kHalfHeightMm * std::sin(glm::radians(lying.tiltDeg));
     return {atMm, showsMesialOrDistal(lying) ? glm::dvec2(half, halfWidthMm) : glm::dvec2(halfWidthMm, half)};
 }

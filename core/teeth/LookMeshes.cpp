@@ -49,7 +49,7 @@ void softenGrooves(LookMesh& mesh, std::size_t count)
         for (std::size_t k = 0; k < count; ++k) {
             LookVertex& v = mesh.vertices[k];
             const glm::vec3 way = sums[k] / std::max(counts[k], 1.0F) - v.positionMm;
-            // In a groove the surroundings are higher.
+            // In a groove, the surroundings are higher than the vertex.
             const float out = glm::dot(way, v.normal);
             if (counts[k] > 0.0F && out > 0.0F)
                 v.positionMm += kShare * out * v.normal;
@@ -65,7 +65,7 @@ void shadeGrooves(LookMesh& mesh, std::size_t count)
     constexpr float kDarkest = 0.4F;  ///< share of the light that a deep groove loses
     LookMesh filled = mesh;
     softenGrooves(filled, count);
-    // Normal and depth, averaged over the vertices around.
+    // Normal and depth, averaged over the neighbouring vertices.
     std::vector<glm::vec4> shades(mesh.vertices.size());
     for (std::size_t k = 0; k < shades.size(); ++k)
         shades[k] = glm::vec4(mesh.vertices[k].normal,
@@ -162,7 +162,7 @@ void findOpenness(LookMesh& mesh, const glm::dmat4& jawFromMesh, const SampleMap
     for (LookVertex& v : mesh.vertices) {
         const glm::dvec3 p(jawFromMesh * glm::dvec4(v.positionMm, 1.0));
         const glm::dvec3 n = turn * glm::dvec3(v.normal);
-        // Light from an even half sky on this slope, with and without the surroundings.
+        // Light of an even half sky on this slope, with and without the surroundings.
         double free = 0.0;
         double seen = 0.0;
         for (int way = 0; way < kWays; ++way) {
@@ -180,7 +180,8 @@ void findOpenness(LookMesh& mesh, const glm::dmat4& jawFromMesh, const SampleMap
             free += 1.0 - std::sin(own);
             seen += 1.0 - std::sin(std::min(horizon, 0.5 * std::numbers::pi));
         }
-        // A map of heights has little information on walls and overhangs: sideways surfaces count as fairly open.
+        // A height map has little information about walls and overhangs, so surfaces that face sideways count as fairly
+        // open.
         constexpr double kWall = 0.88;
         const double level = std::clamp((n.z + 0.1) / 0.6, 0.0, 1.0);
         const double share = std::clamp(free > 1.0e-6 ? seen / free : 1.0, 0.0, 1.0);

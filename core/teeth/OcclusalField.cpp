@@ -11,7 +11,7 @@
 namespace core::teeth {
 namespace {
 
-/// Radius of a tip and its ridges, mm.
+/// Radius of the tip of a cusp and its ridges, mm.
 constexpr double kTipMm = 0.28;
 
 /// Returns |t| with a rounded bottom, and its derivative.
@@ -53,7 +53,7 @@ void OcclusalField::setLobes(const std::vector<Lobe>& lobes)
     m_lobes.clear();
     for (const Lobe& lobe : lobes) {
         const double angle = lobe.turnDeg * std::numbers::pi / 180.0;
-        // Golden-angle phases give every lobe different furrows.
+        // Phases by the golden angle give every lobe different furrows.
         const double phase = 2.4 * static_cast<double>(m_lobes.size());
         m_lobes.push_back(
             {lobe, std::cos(angle), std::sin(angle), m_furrows * glm::dvec2{std::cos(phase), std::sin(phase)}});
@@ -79,7 +79,7 @@ OcclusalField::Value OcclusalField::valueOf(const Prepared& p, glm::dvec2 moved)
     const double slopeV = v < 0.0 ? p.lobe.slopeLingual : p.lobe.slopeBuccal;
     const double a = slopeU * softU;
     const double b = slopeV * softV;
-    // The p-norm with one ratio, so that it is exact where one part is 0.
+    // Computes the p-norm from one ratio, so that it is exact if one part is 0.
     const double large = std::max(a, b) + 1.0e-9;
     const double ratio = std::min(a, b) / large;
     const double power = std::pow(ratio, p.lobe.power);

@@ -39,8 +39,8 @@ double smoothMin(double a, double b, double k)
     return 0.5 * (a + b - std::sqrt((a - b) * (a - b) + k * k));
 }
 
-/// Maps the square [-1, 1]^2 onto the unit disc with even areas (Shirley and Chiu 1997). Returns angle and radius, each
-/// from 0 to 1.
+/// Maps the square [-1, 1]^2 onto the unit disc and preserves areas (Shirley and Chiu 1997). Returns angle and radius,
+/// each from 0 to 1.
 std::pair<double, double> discFromSquare(double a, double b)
 {
     if (a == 0.0 && b == 0.0)
@@ -105,7 +105,7 @@ PosteriorCrown::Top PosteriorCrown::top(glm::dvec2 point) const
         const double near = std::exp(-degrees * degrees / (groove.widthDeg * groove.widthDeg));
         rho = std::min(rho + groove.depthMm / 5.0 * near * smoothStep(0.3, 0.7, rho) * smoothStep(1.0, 0.7, rho), 1.0);
     }
-    // Towards the middle the four sides become one dome, so that no seam appears where all angles meet.
+    // Towards the middle, the four sides blend into one dome, so that there is no seam where all angles meet.
     const double apart = smoothStep(0.0, 0.45, rho);
     const double power = onWave(m_power, cosine * apart, sine * apart);
     double side = onWave(m_contour, cosine * apart, sine * apart) +
@@ -127,11 +127,11 @@ PosteriorCrown::Top PosteriorCrown::top(glm::dvec2 point) const
     top.awayFromGroove = field.awayFromGroove;
 
     if (field.grooveDistanceMm < m_design.mouthMm) {
-        // It ends at the edge of the table; weaker ones (beside marginal ridges) stay in the fossa.
+        // A groove ends at the edge of the table. Weaker ones (beside marginal ridges) end in the fossa.
         const double end = 0.60 + 0.36 * field.groove;
         const double share =
             field.groove * smoothStep(-0.2, 0.6, side - field.height) * smoothStep(end, end - 0.3, rho);
-        // A V with a slightly flared mouth. Along the groove it is a chain of pits, wider where deeper.
+        // A V with a slightly flared mouth. Along the groove there is a chain of pits, wider where they are deeper.
         const double bead = std::sin(4.1 * point.x + m_beadPhase) * std::sin(3.7 * point.y + 1.3 * m_beadPhase);
         top.fissure = m_design.fissureMm * share * (0.82 + 0.18 * bead);
         top.lipMm = 0.5 * m_design.mouthMm * (0.65 + 0.25 * share + 0.1 * bead);
@@ -187,7 +187,8 @@ public:
         for (int row = 0; row <= cells; ++row)
             for (int column = 0; column <= cells; ++column)
                 m_nodes[at(column, row)] = lay(column, row);
-        // Beside sharp bends two moved vertices can cross: they return to their first place until no cell is folded.
+        // Beside sharp bends, two moved vertices may cross. They return to their first position until no cell is
+        // folded.
         for (bool folded = true; folded;) {
             folded = false;
             for (int row = 0; row < cells; ++row)
@@ -212,8 +213,8 @@ public:
             return std::abs(bankDistance(m_nodes[from]) - bankDistance(m_nodes[to]));
         };
         const Cell turned{corners[1], corners[2], corners[3], corners[0]};
-        // On the square's own diagonals a corner of the cell is bent flat: only one diagonal leaves two proper
-        // triangles.
+        // On the square's own diagonals, one corner of the cell is bent flat, so only one diagonal divides it into two
+        // proper triangles.
         if (column == row)
             return corners;
         if (column + row == m_cells - 1)
@@ -229,7 +230,7 @@ private:
 
     [[nodiscard]] Node lay(int column, int row) const
     {
-        // Denser where the sides get steep.
+        // Vertices are denser where the sides become steep.
         const auto [angle, r] = discFromSquare(2.0 * column / m_cells - 1.0, 2.0 * row / m_cells - 1.0);
         const double outline = m_crown.outlineMm(angle);
         const double rho = r + 0.3 * (r - r * r * r * r);
@@ -317,7 +318,7 @@ MeshBuilder::Ring PosteriorCrown::build(MeshBuilder& builder, const ToothSizes& 
     const std::vector<glm::dvec3> neck = cej(rim.size() / 2, buccalTip - sizes.crownHeightMm, sizes);
     for (int r = 1; r <= detail.sideRings; ++r) {
         const double t = static_cast<double>(r) / detail.sideRings;
-        // The side is upright at the contour and recedes faster towards the neck.
+        // The side is vertical at the contour and recedes faster towards the neck.
         const double in = std::pow(t, 1.7);
         MeshBuilder::Ring ring;
         for (std::size_t k = 0; k < neck.size(); k += r < detail.sideRings ? 1 : 2) {
@@ -344,7 +345,8 @@ std::vector<glm::dvec3> PosteriorCrown::cej(std::size_t count, double facialZ, c
                                            std::pow(2.0 * std::abs(s) / sizes.cervixDepthMm, p),
                                        -1.0 / p);
         const glm::dvec2 place{m_design.cervixX + radius * c, m_design.cervixY + radius * s};
-        // Nowhere wider than the crown above, not even under the missing corner of a heart.
+        // The neck is nowhere wider than the crown above it, not even under the missing corner of a heart-shaped
+        // outline.
         const double reach = std::sqrt(glm::dot(place, place));
         const double within = smoothMin(reach, 0.97 * outlineMm(std::atan2(place.y, place.x)), 0.25) / reach;
         const double rise = (c < 0.0 ? sizes.cejCurveMesialMm : sizes.cejCurveDistalMm) * c * c * c * c;

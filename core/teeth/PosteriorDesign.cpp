@@ -27,7 +27,7 @@ PosteriorDesign upperFirstPremolar()
         {-2.60, -1.00, -1.58, -4.5, 0.70, 0.86, 0.45, 0.30, 2.00, 1.0, 4},
         {2.52, 0.12, -1.81, -14.0, 0.85, 0.71, 0.04, 0.17, 2.00, 0.6, 5},
     };
-    // Either side of the buccal ridge, and where the mesial marginal groove crosses the ridge.
+    // On both sides of the buccal ridge, and where the mesial marginal groove crosses the ridge.
     d.sideGrooves = {{62.0, 0.22, 11.0}, {118.0, 0.22, 11.0}, {180.0, 0.3, 8.0}};
     d.roots = {{{0.4, 2.1, 1.0, 1.7, 1.7, 0.0, 0.2}, {0.4, -2.0, 0.97, 1.6, 1.6, 0.0, -0.2}}, {0.0, 180.0}, 6.5, 0.0};
     return d;
@@ -78,7 +78,7 @@ PosteriorDesign upperFirstMolar(bool carabelli)
         d.outline[11] += 0.2;
         d.sideFurrows = {{240.0, 15.0, 0.80, 0.40}};
     }
-    // Branches follow the partings: mesiobuccal, palatal, distobuccal.
+    // The branches follow the partings: mesiobuccal, palatal, distobuccal.
     d.roots = {{{-3.0, 3.3, 1.0, 1.7, 2.2, -0.6, 0.4},
                 {0.9, -4.1, 1.08, 2.3, 1.7, 0.2, -0.9},
                 {3.0, 2.8, 0.97, 1.5, 1.9, 0.5, 0.3}},
@@ -88,7 +88,7 @@ PosteriorDesign upperFirstMolar(bool carabelli)
     return d;
 }
 
-/// @param distolingual  with that cusp; without it the outline is a heart
+/// @param distolingual  with a distolingual cusp; without it the outline is a heart
 PosteriorDesign upperSecondMolar(bool distolingual)
 {
     PosteriorDesign d = upperFirstMolar(false);
@@ -159,7 +159,7 @@ PosteriorDesign lowerFirstPremolar()
         {-2.4, -0.3, -1.65, 8.0, 0.60, 0.40, 0.20, 0.32, 2.0, 1.0, 3},
         {2.4, -0.3, -1.60, -8.0, 0.40, 0.60, 0.20, 0.28, 2.0, 1.0, 4},
     };
-    d.sideGrooves = {{62.0, 0.2, 11.0}, {118.0, 0.2, 11.0}};  // either side of the buccal ridge
+    d.sideGrooves = {{62.0, 0.2, 11.0}, {118.0, 0.2, 11.0}};  // on both sides of the buccal ridge
     d.roots = {{{0.6, 0.0, 1.0, 1.9, 2.9, 0.1, 0.0}}, {}, 0.0, 0.2};
     return d;
 }
@@ -183,7 +183,7 @@ PosteriorDesign lowerSecondPremolar(bool threeCusps)
     } else {
         d.lobes.push_back({-0.3, -2.3, -0.75, 0.0, 0.45, 0.45, 0.62, 0.50, 1.4, 1.0, 2, Cusp::L});
     }
-    d.sideGrooves = {{62.0, 0.16, 11.0}, {118.0, 0.16, 11.0}};  // either side of the buccal ridge
+    d.sideGrooves = {{62.0, 0.16, 11.0}, {118.0, 0.16, 11.0}};  // on both sides of the buccal ridge
     d.roots = {{{0.8, 0.0, 1.0, 2.0, 3.1, 0.1, 0.0}}, {}, 0.0, 0.15};
     return d;
 }
@@ -265,7 +265,7 @@ PosteriorDesign lowerThirdMolar(bool distal)
 
 PosteriorDesign posteriorDesign(int fdi, Rng& rng, bool vary)
 {
-    // One draw for every variant. The mean tooth has the most common form.
+    // One draw decides about all variants. The mean tooth has the most common form.
     const double chance = rng.uniform();
     const auto happens = [&](double share) { return vary && chance < share; };
     switch (fdi) {

@@ -17,8 +17,8 @@
 namespace core::teeth {
 namespace {
 
-constexpr float kDentinBesideMm = 1.2F;  ///< to the root and the side: 1 mm, plus the distance between lattice nodes
-constexpr float kDentinAboveMm = 1.5F;   ///< to the enamel; a CT molar has at least 1.85
+constexpr float kDentinBesideMm = 1.2F;  ///< towards the root and the side: 1 mm, plus the distance of lattice nodes
+constexpr float kDentinAboveMm = 1.5F;   ///< towards the enamel; a CT molar has at least 1.85
 constexpr double kCanalRadiusMm = 0.4;
 constexpr double kLeastHorn = 0.35;  ///< height of the lowest horn of a molar, as a share of the highest
 
@@ -35,7 +35,7 @@ double squared(double value)
     return value * value;
 }
 
-/// Returns the highest points of a field, each the highest within `apartMm`, in falling order.
+/// Returns the peaks of a field, in descending order. A peak is the highest point within `apartMm`.
 std::vector<Spot> peaks(const terrain::Grid& grid, const Lattice& lattice, std::span<const float> field, double apartMm,
                         double lowest, std::size_t most)
 {
@@ -50,7 +50,7 @@ std::vector<Spot> peaks(const terrain::Grid& grid, const Lattice& lattice, std::
             for (int nb = std::max(0, b - reach); highest && nb <= std::min(lattice.side() - 1, b + reach); ++nb) {
                 for (int na = std::max(0, a - reach); na <= std::min(lattice.side() - 1, a + reach); ++na) {
                     const float there = field[lattice.index(na, nb)];
-                    // Of two equal nodes the first one counts.
+                    // Of two nodes of equal height, the first one counts.
                     if (there > here || (there == here && lattice.index(na, nb) < lattice.index(a, b))) {
                         highest = false;
                         break;
@@ -67,8 +67,8 @@ std::vector<Spot> peaks(const terrain::Grid& grid, const Lattice& lattice, std::
     return found;
 }
 
-/// Marks the columns that end where the model was cut off flat, like the scan of a crown, and not at the surface of a
-/// root. They are on the lowest level, if that is a face and no tip, and if the tooth is clearly too short.
+/// Marks the columns that end where the model was cut off flat, like the scan of a crown, instead of at the surface of
+/// a root. They are on the lowest level, if that level is a face and not a tip, and if the tooth is clearly too short.
 std::vector<std::uint8_t> cutColumns(const terrain::Grid& grid, std::span<const float> top,
                                      std::span<const float> bottom, const TissueFigures& figures)
 {
@@ -94,7 +94,7 @@ std::vector<std::uint8_t> cutColumns(const terrain::Grid& grid, std::span<const 
     return cut;
 }
 
-/// The chamber seen from above: distance of each node from its outline.
+/// The chamber seen from above, as the distance of each node inside its outline.
 struct Footprint
 {
     std::vector<float> insideMm;  ///< 0 outside, [side * side]
@@ -105,7 +105,8 @@ struct Footprint
     double rightX = 0.0;
 };
 
-/// Moves the mesial and the distal wall of a footprint to the places in the figures. At least kDentinBesideMm remain.
+/// Moves the mesial and the distal wall of a footprint to their places in the figures. At least kDentinBesideMm of
+/// dentin remain.
 /// @param inNeckMm  distance of each node inside the neck's outline, [side * side]
 void shiftWalls(const terrain::Grid& grid, std::span<const float> inNeckMm, const TissueFigures& figures,
                 std::vector<float>& insideMm)
@@ -126,7 +127,7 @@ void shiftWalls(const terrain::Grid& grid, std::span<const float> inNeckMm, cons
         }
 }
 
-/// Makes the buccal and the lingual side of a footprint converge distally, into a trapezoid.
+/// Makes the buccal and the lingual side of a footprint converge distally, so that it becomes a trapezoid.
 void taper(const terrain::Grid& grid, double degrees, std::vector<float>& insideMm)
 {
     if (degrees <= 0.0)
@@ -162,7 +163,7 @@ Footprint footprintOf(const terrain::Grid& grid, std::span<const float> top, std
     const std::vector<float> inNeck = distanceInside(grid, neck);
     print.insideMm = inNeck;
     const double widest = static_cast<double>(*std::max_element(print.insideMm.begin(), print.insideMm.end()));
-    // A slender neck (lower incisor) has a thinner wall than a broad one, but never thinner than dentin requires.
+    // A slender neck (lower incisor) has a thinner wall than a broad one, but never thinner than the least dentin.
     const double wall =
         std::max(static_cast<double>(kDentinBesideMm), std::min(figures.pulpWall + wallChangeMm, 0.66 * widest));
     for (float& inside : print.insideMm)
@@ -194,7 +195,7 @@ Footprint footprintOf(const terrain::Grid& grid, std::span<const float> top, std
     return print;
 }
 
-/// Returns the place of the footprint nearest to (x, y) that is at least `marginMm` inside its outline.
+/// Returns the position that is nearest to (x, y) and at least `marginMm` inside the outline of the footprint.
 Spot pulledInside(const terrain::Grid& grid, const Footprint& print, double x, double y, double marginMm)
 {
     const double margin = std::min(marginMm, 0.8 * print.deepestMm);
@@ -264,7 +265,7 @@ std::vector<Spot> hornTargets(const terrain::Grid& grid, const Lattice& lattice,
     return peaks(grid, lattice, smooth, 1.3, highest - 3.2, most);
 }
 
-/// Divides the mesial root of a lower molar, which has two canals: a buccal and a lingual one.
+/// Divides the canal of the mesial root of a lower molar, which has two canals: a buccal and a lingual one.
 void divideMesial(const terrain::Grid& grid, const Footprint& print, const TissueFigures& figures,
                   std::vector<Spot>& canals)
 {
@@ -278,7 +279,7 @@ void divideMesial(const terrain::Grid& grid, const Footprint& print, const Tissu
     canals.push_back(pulledInside(grid, print, middle.x, middle.y + kAsideMm, 0.3));
 }
 
-/// Draws by how much a measure of one tooth differs from the mean: not at all for seed 0.
+/// Draws the deviation of a measure of one tooth from the mean. It is zero for seed 0.
 class Variation
 {
 public:
@@ -296,11 +297,11 @@ struct Horn
     double apex = 0.0;
 };
 
-/// Form of a pulp before the dentin around it limits it.
+/// The form of a pulp, before the dentin around it limits it.
 struct PulpForm
 {
     Footprint print;
-    double chamberHeight = 0.0;  ///< 0: a pulp without a chamber, as in front teeth
+    double chamberHeight = 0.0;  ///< 0: no separate chamber, as in front teeth
     std::vector<Horn> horns;
     double roofMid = 0.0;  ///< height of the roof between the horns
     std::optional<Spot> fossa;
@@ -328,7 +329,7 @@ void raiseRoof(const terrain::Grid& grid, const Lattice& lattice, std::span<cons
     form.fossaToPulp = figures.fossaToPulp + (form.fossa ? vary(0.1) : 0.0);
     if (!form.fossa)
         return;
-    // Under a deep fossa the whole roof is lower, and its horns with it. The horn of a low cusp is a low one.
+    // Under a deep fossa, the whole roof and its horns are lower. A low cusp has a low horn.
     form.roofMid = std::min(form.roofMid, form.fossa->z - form.fossaToPulp);
     double tallest = form.roofMid;
     for (const Horn& horn : form.horns)
@@ -338,8 +339,8 @@ void raiseRoof(const terrain::Grid& grid, const Lattice& lattice, std::span<cons
                              form.roofMid + kLeastHorn * figures.hornHeight);
 }
 
-/// Sets where the canals of a pulp leave its chamber: under the deepest places of the under surface, one to a root.
-/// Where the roots are cut off: over the middle of each one's section, and towards where its end would be.
+/// Sets where the canals of a pulp leave its chamber: over the deepest places of the under surface, one per root. If
+/// the roots are cut off, it is over the middle of the section of each, and towards the place where its end would be.
 /// @param minusBottom  see dentinUnder()
 void openCanals(const terrain::Grid& grid, const Lattice& lattice, std::span<const float> top,
                 std::span<const float> bottom, const std::vector<std::uint8_t>& cut,
@@ -363,7 +364,7 @@ void openCanals(const terrain::Grid& grid, const Lattice& lattice, std::span<con
     divideMesial(grid, form.print, figures, form.canals);
 }
 
-/// Returns roof and floor of a pulp, heights in mm, at a place `inside` mm within its outline.
+/// Returns the heights of roof and floor of a pulp, mm, at a position that is `inside` mm within its outline.
 /// @param neck  height of the enamel-cement junction there
 std::pair<double, double> roofAndFloor(const PulpForm& form, const glm::dvec2& at, double inside, double neck)
 {
@@ -398,7 +399,7 @@ std::pair<double, double> roofAndFloor(const PulpForm& form, const glm::dvec2& a
     return {roof, floor};
 }
 
-/// Returns the upper end of the dentin in each column. Outside the tooth there is no pulp at any height beside it.
+/// Returns the upper end of the dentin in each column. Outside the tooth it is so low that there is no pulp beside it.
 std::vector<float> dentinOver(std::span<const float> top, std::span<const float> bottom,
                               const std::vector<terrain::ColumnLayers>& layers)
 {
@@ -408,7 +409,7 @@ std::vector<float> dentinOver(std::span<const float> top, std::span<const float>
     return junction;
 }
 
-/// Returns the negated lower end of the dentin in each column; a cut bounds no dentin.
+/// Returns the negated lower end of the dentin in each column. Where the model was cut off, the dentin has no end.
 std::vector<float> dentinUnder(std::span<const float> top, std::span<const float> bottom,
                                const std::vector<std::uint8_t>& cut)
 {
@@ -433,7 +434,7 @@ void hollowPulp(const terrain::Grid& grid, std::span<const float> top, std::span
     if (form.print.deepestMm < 0.1)
         return;
 
-    // The pulp may reach as far as dentin keeps its least thickness on every side.
+    // The pulp extends as far as the dentin on every side has its least thickness.
     const Lattice lattice(grid);
     const std::vector<float> minusBottom = dentinUnder(top, bottom, cut);
     const std::vector<float> above(lattice.count(), kDentinAboveMm);

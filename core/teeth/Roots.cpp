@@ -12,7 +12,7 @@ namespace core::teeth {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-/// Dentin is recessed under the edge of the enamel. A probe feels this step as the CEJ.
+/// The dentin is set back below the edge of the enamel. A probe feels this step as the CEJ.
 constexpr double kCejStepMm = 0.1;
 constexpr double kCejDropMm = 0.03;
 
@@ -30,13 +30,14 @@ glm::dvec3 centreOf(const MeshBuilder& builder, const MeshBuilder::Ring& ring)
     return sum / static_cast<double>(ring.size());
 }
 
-/// Returns the radius of a root's section along it: 1 at the start, without a kink, then a cone with a round apex.
+/// Returns the radius of a root's section along it. It is 1 at the start, where there is no kink, then a cone with a
+/// round apex.
 double taper(double t)
 {
     return std::sqrt(std::max(1.0 - t * t * t * t * t * t, 0.0)) * (1.0 - 0.66 * std::pow(t, 1.35));
 }
 
-/// Builds a branch from a ring of any shape down to an apex. The section turns into an ellipse on the way.
+/// Builds a branch from a ring of any shape down to an apex. The section gradually becomes an ellipse.
 void growBranch(MeshBuilder& builder, const MeshBuilder::Ring& start, const RootBranch& branch, double apexZ,
                 double hollowMm, int rings)
 {
@@ -85,7 +86,7 @@ void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootD
     for (const MeshBuilder::Index k : cervix)
         facialZ = std::min(facialZ, builder.point(k).z);
 
-    // First the step under the enamel, then, with several roots, the trunk down to the furcation.
+    // The step under the enamel comes first. A tooth with several roots then has a trunk down to the furcation.
     const bool single = design.partingDeg.empty();
     const int rings = single ? 1 : detail.trunkRings;
     MeshBuilder::Ring above = cervix;
@@ -115,7 +116,7 @@ void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootD
         return;
     }
 
-    // Spokes from the parting points to the roof of the furcation. The ring of each root is an arc and two spokes.
+    // Spokes lead from the parting points to the roof of the furcation. The ring of each root is an arc and two spokes.
     const glm::dvec3 below = centreOf(builder, above);
     const MeshBuilder::Index roof = builder.add({below.x, below.y, below.z + 0.35 * design.trunkMm});
     std::vector<std::size_t> partings;

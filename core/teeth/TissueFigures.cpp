@@ -6,7 +6,7 @@
 namespace core::teeth {
 namespace {
 
-/// Extent and number of the columns that are higher than a level, mm.
+/// The extent and the number of the columns that are higher than a level, mm.
 struct Outline
 {
     double width = 0.0;
@@ -37,12 +37,13 @@ Outline outlineAbove(const terrain::Grid& grid, std::span<const float> top, doub
     return outline;
 }
 
-/// Returns a tooth of the table that is similar to this crown. The limits are half way between the means of the table.
+/// Returns the number of a tooth of the table that is similar to this crown. The limits are half way between the means
+/// of the table.
 int guess(const terrain::Grid& grid, std::span<const float> top, double highest)
 {
     const Outline crown = outlineAbove(grid, top, highest - 6.5);
     const Outline upper = outlineAbove(grid, top, highest - 3.0);
-    // A chewing surface fills the outline near the top; a blade or a point does not.
+    // The section of a molar or a premolar near its top fills the outline; that of a front tooth does not.
     if (upper.columns > 0.75 * crown.columns) {
         if (crown.width * crown.depth >= 74.0)
             return crown.depth > crown.width ? 26 : 36;
@@ -54,7 +55,8 @@ int guess(const terrain::Grid& grid, std::span<const float> top, double highest)
     return crown.width > 7.5 ? 21 : crown.width > 6.0 ? 22 : 31;
 }
 
-/// Returns the number of the tooth on the left side, the only side in the table; the right one is its mirror image.
+/// Returns the number of the same tooth on the left side. The table has only that side; the right side is its mirror
+/// image.
 int onTheLeft(int fdi)
 {
     const int quadrant = fdi / 10;
@@ -134,7 +136,8 @@ TissueFigures figuresFor(int fdi, const terrain::Grid& grid, std::span<const flo
     if (sizes->fdi == 36 || sizes->fdi == 37)
         figures.mesialCanals = 2;
 
-    // A crown wider than the mean is also higher. A root that flares beyond the crown must not count.
+    // A crown that is wider than the mean is also higher. The outline is taken high, because a root that is wider than
+    // the crown must not count.
     const Outline crown = outlineAbove(grid, top, highest - 0.7 * sizes->crownHeightMm);
     const double size = (crown.width + crown.depth) / (sizes->crownWidthMm + sizes->crownDepthMm);
     figures.crownHeight = sizes->crownHeightMm * std::clamp(size, 0.8, 1.25);

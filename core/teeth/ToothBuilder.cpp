@@ -49,11 +49,11 @@ std::string counted(std::size_t count, const char* one, const char* many)
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/// A narrower tooth has too few columns.
+/// Least width of a tooth, mm: a narrower one has too few columns.
 constexpr double kLeastWidthMm = 0.2;
-/// Length of the root that remains of a tooth that lies on a side.
+/// Length of the root that remains when a tooth is laid on a side.
 constexpr double kRootKeptMm = 3.0;
-/// Holes whose patch is smaller than this share of the tooth's outline are patched without a warning.
+/// Largest share of the tooth's outline for which the patch of a hole gives no warning.
 constexpr double kSmallHole = 0.05;
 
 class Builder
@@ -92,7 +92,7 @@ private:
         return std::get<std::filesystem::path>(m_source.what).string();
     }
 
-    /// Returns an error: "scan.stl: what is wrong".
+    /// Returns an error with the name of the source: "scan.stl: what is wrong".
     [[nodiscard]] tl::unexpected<Error> failure(ErrorCode code, const std::string& what) const
     {
         return unexpected(code, m_report.source + ": " + what);
@@ -141,7 +141,7 @@ private:
     Status readFile()
     {
         m_anatomy.fdi = m_options.fdi;
-        // A misspelt block name is not tried as a file.
+        // A misspelt name of a block is an error. It is not used as a file name.
         if (const auto block = findBlock(m_report.source); block && !*block)
             return tl::unexpected(block->error());
         auto file = mesh::readMesh(std::get<std::filesystem::path>(m_source.what));
@@ -262,8 +262,7 @@ private:
         return {};
     }
 
-    /// Patches the holes. Large ones that face down are left to the rasteriser, which closes them at their lowest
-    /// point.
+    /// Patches the holes, except large ones that face down. The rasteriser closes those at their lowest point.
     Status closeHoles()
     {
         if (m_facts.openEdges.empty())
@@ -299,7 +298,7 @@ private:
         return {};
     }
 
-    /// Turns the tooth onto its side. The upright form is stored, because the tissues are measured on it.
+    /// Turns the tooth onto its side. The upright form is stored, because the tissues are computed from it.
     Status layDown()
     {
         m_report.lying = m_anatomy.lying = m_options.lying;
@@ -351,7 +350,7 @@ private:
         mesh::weldByPosition(m_mesh);
         for (const mesh::Hole& hole : mesh::findHoles(m_mesh, mesh::analyse(m_mesh)))
             mesh::patch(m_mesh, hole);
-        // A hollow between roots that part further up is now a separate pocket, and is filled.
+        // A hollow between roots that part above the cut is now a separate pocket, and is filled.
         const mesh::MeshFacts facts = mesh::analyse(m_mesh);
         std::vector<std::array<std::uint32_t, 3>> kept;
         for (std::size_t k = 0; k < m_mesh.triangles.size(); ++k)
@@ -366,8 +365,8 @@ private:
                                                 "surface; check that it is one tooth");
     }
 
-    /// Returns the volume inside the surface in file units, counting no place twice; empty if the shells do not define
-    /// it.
+    /// Returns the volume inside the surface in file units, without counting any space twice. Empty if the shells do
+    /// not define a volume.
     [[nodiscard]] std::optional<double> enclosedVolume() const
     {
         if (!m_facts.oriented)
@@ -386,7 +385,7 @@ private:
         return sum;
     }
 
-    /// Returns whether the boxes of two shells meet, neither of which is inside the other.
+    /// Returns whether the boxes of two shells overlap, of which neither is inside the other.
     [[nodiscard]] bool shellsMayOverlap() const
     {
         const std::vector<mesh::Shell>& shells = m_facts.shells;
@@ -399,8 +398,9 @@ private:
         return shells.size() > mesh::kMostNestedShells;
     }
 
-    /// Returns whether rasterising would take too long. Its time is proportional to the boxes around the faces: a
-    /// surface covers its outline a few times, a fan of thousands of faces around one corner some hundred times.
+    /// Returns whether rasterising would take too long. The time is proportional to the area of the boxes around the
+    /// faces. A usual surface covers its outline a few times, but a fan of thousands of faces around one corner some
+    /// hundred times.
     [[nodiscard]] bool isHeapOfFaces() const
     {
         constexpr double kMostCovers = 2'000.0;
@@ -487,7 +487,7 @@ private:
         return {};
     }
 
-    /// Returns the path of the lesion. It depends on the tooth and not on the grid, so it is always searched on the
+    /// Returns the path of the lesion. It must depend on the tooth and not on the grid, so it is always searched on the
     /// usual grid.
     [[nodiscard]] std::vector<LesionStop> lesionLine() const
     {
@@ -519,7 +519,7 @@ private:
 
     const ToothSource& m_source;
     const BuildOptions& m_options;
-    const BlockDesign* m_block = nullptr;  ///< null if it is no block
+    const BlockDesign* m_block = nullptr;  ///< null: the tooth is not a block
     Clock::time_point m_lap;
     mesh::TriangleMesh m_mesh;
     mesh::MeshFacts m_facts;
@@ -550,7 +550,7 @@ Result<BuiltTooth> buildTooth(const ToothSource& source, const BuildOptions& opt
 
 bool isGenerated(const terrain::ToothAnatomy& anatomy)
 {
-    // A tooth from a file has the file's name, and a file called "36" cannot be requested.
+    // A tooth from a file has the name of the file. A file called "36" cannot be opened: "36" is the generated tooth.
     return anatomy.fdi != 0 && anatomy.name == std::to_string(anatomy.fdi);
 }
 

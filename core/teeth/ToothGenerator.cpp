@@ -18,14 +18,14 @@
 namespace core::teeth {
 namespace {
 
-/// Returns a draw from the table's spread, cut at two standard deviations: teeth beyond are rare and look wrong in a
-/// trainer.
+/// Returns a random value with the mean and deviation of the table, limited to two standard deviations. Teeth beyond
+/// that are rare and look wrong in a trainer.
 double draw(Rng& rng, double mean, double deviation)
 {
     return mean + deviation * std::clamp(rng.normal(), -2.0, 2.0);
 }
 
-/// Sizes and form have streams of their own, so that either can be drawn without the other.
+/// Sizes and form have their own random streams, so that either can be drawn without the other.
 constexpr std::uint64_t kSizesStream = 1;
 constexpr std::uint64_t kFormStream = 2;
 
@@ -35,7 +35,7 @@ Rng seeded(int fdi, std::uint64_t seed, std::uint64_t stream)
     return Rng(mixer.next() + 1000U * static_cast<std::uint64_t>(fdi) + stream);
 }
 
-/// Draws slow waves that bend grooves and ridges away from the design's lines.
+/// Draws slow waves that bend grooves and ridges away from the lines of the design.
 std::vector<OcclusalField::Wave> drawWander(Rng& rng)
 {
     std::vector<OcclusalField::Wave> waves;
@@ -43,7 +43,7 @@ std::vector<OcclusalField::Wave> drawWander(Rng& rng)
         const double angle = rng.uniform(0.0, 2.0 * std::numbers::pi);
         const double wave = 2.0 * std::numbers::pi / waveMm;
         const glm::dvec2 along{std::cos(angle), std::sin(angle)};
-        // A transverse wave bends lines and keeps areas.
+        // A transverse wave bends lines and preserves areas.
         waves.push_back(
             {along * wave, rng.uniform(0.0, 2.0 * std::numbers::pi), glm::dvec2{-along.y, along.x} * (0.035 * waveMm)});
     }
@@ -62,8 +62,8 @@ void varyDesign(AnteriorDesign& design, Rng& rng)
         height *= draw(rng, 1.0, 0.1);
 }
 
-/// Returns how far the height of a lobe may be from its mean. A cusp keeps its place in the order of heights, which is
-/// the same in all people.
+/// Returns the largest deviation of a lobe's height from its mean. It preserves the order of the cusps by height, which
+/// is the same in all people.
 double mostHeightChangeMm(const std::vector<Lobe>& lobes, const Lobe& lobe)
 {
     double most = 0.2;
@@ -91,7 +91,7 @@ void varyDesign(PosteriorDesign& design, Rng& rng)
     design.fissureMm *= draw(rng, 1.0, 0.15);
 }
 
-/// Maps design millimetres to drawn ones.
+/// Maps millimetres of the design to those of the drawn tooth.
 struct Move
 {
     glm::dvec3 origin{0.0};
@@ -113,7 +113,7 @@ Move moveOf(std::span<const glm::dvec3> crown, const ToothSizes& mean, const Too
              drawn.crownHeightMm / mean.crownHeightMm}};
 }
 
-/// Maps design millimetres to drawn ones. Returns the finished mesh in the tooth frame.
+/// Maps millimetres of the design to those of the drawn tooth. Returns the finished mesh in the tooth frame.
 mesh::TriangleMesh place(MeshBuilder& builder, std::size_t crownVertices, const ToothSizes& mean,
                          const ToothSizes& drawn)
 {
@@ -123,7 +123,7 @@ mesh::TriangleMesh place(MeshBuilder& builder, std::size_t crownVertices, const 
     return builder.finish(buccalSign(mean.fdi));
 }
 
-/// @param heightShare  the height of the drawn crown over the mean height
+/// @param heightShare  ratio of the drawn crown's height to the mean height
 PosteriorCrown drawPosteriorCrown(int fdi, std::uint64_t seed, double heightShare)
 {
     Rng rng = seeded(fdi, seed, kFormStream);
@@ -131,7 +131,7 @@ PosteriorCrown drawPosteriorCrown(int fdi, std::uint64_t seed, double heightShar
     PosteriorDesign design = posteriorDesign(fdi, rng, vary);
     if (vary)
         varyDesign(design, rng);
-    // The steps between the cusps of a high crown are no greater than those of a low one.
+    // The steps between the cusps of a high crown are not larger than those of a low one.
     for (Lobe& lobe : design.lobes)
         if (lobe.cusp != Cusp::None)
             lobe.z /= heightShare;
@@ -149,7 +149,7 @@ Result<ToothSizes> drawToothSizes(int fdi, std::uint64_t seed)
     if (!sizes || seed == 0)
         return sizes;
     Rng rng = seeded(fdi, seed, kSizesStream);
-    // Big teeth are big in all directions: half of the variance is shared.
+    // Large teeth are large in all directions, so half of the variance is shared.
     const double shared = rng.normal();
     const auto drawn = [&](double mean, double deviation) {
         return mean + deviation * std::clamp((shared + rng.normal()) * std::numbers::sqrt2 / 2.0, -2.0, 2.0);
@@ -157,7 +157,7 @@ Result<ToothSizes> drawToothSizes(int fdi, std::uint64_t seed)
     const double crownHeight = drawn(sizes->crownHeightMm, kCrownHeightSdMm);
     const double crownWidth = drawn(sizes->crownWidthMm, kCrownDiameterSdMm);
     const double crownDepth = drawn(sizes->crownDepthMm, kCrownDiameterSdMm);
-    // The neck scales with the crown, and the curve of the CEJ with its height.
+    // The neck scales with the width of the crown, and the curve of the CEJ with its height.
     sizes->cervixWidthMm *= crownWidth / sizes->crownWidthMm;
     sizes->cervixDepthMm *= crownDepth / sizes->crownDepthMm;
     sizes->cejCurveMesialMm *= crownHeight / sizes->crownHeightMm;
@@ -208,7 +208,7 @@ Result<mesh::TriangleMesh> generateTooth(int fdi, std::uint64_t seed)
 
 Result<PosteriorForm> posteriorForm(int fdi, std::uint64_t seed)
 {
-    // The same tooth is requested several times in a row, and its size is known only after its mesh is built.
+    // Callers request the same tooth several times in a row, and its size is known only after its mesh is built.
     thread_local std::optional<PosteriorForm> last;
     thread_local std::pair<int, std::uint64_t> lastOf;
     if (last && lastOf == std::pair(fdi, seed))

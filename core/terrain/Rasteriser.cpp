@@ -17,10 +17,10 @@ namespace {
 
 using Whole = std::int64_t;
 
-// Steps of the integer lattice in one cell. A grid is at most 2^10 cells wide, so coordinates stay below 2^31 and the
+// Steps of the integer lattice per cell. A grid is at most 2^10 cells wide, so coordinates are below 2^31 and the
 // products of edge functions below 2^62.
 constexpr Whole kStep = Whole{1} << 20;
-constexpr Whole kSamples = 16;  // per side, in one cell at the rim
+constexpr Whole kSamples = 16;  // per side of a cell at the rim
 constexpr Whole kSampleStep = kStep / kSamples;
 
 struct Point
@@ -48,7 +48,7 @@ struct FlatTriangle
     Point low;
     Point high;
 
-    /// Returns twice the area of (p, corner k+1, corner k+2): the weight of corner k. Inside, no weight is negative.
+    /// Returns the weight of corner k: twice the area of (p, corner k+1, corner k+2). Inside, no weight is negative.
     [[nodiscard]] Whole weight(std::size_t k, Point p) const
     {
         const Point& a = corner[(k + 1) % 3];
@@ -71,7 +71,7 @@ public:
         }
     }
 
-    /// Calls visit(triangle) for each that is not vertical.
+    /// Calls visit(triangle) for each triangle that is not vertical.
     template <class Visit>
     void forEachTriangle(Visit visit) const
     {
@@ -159,7 +159,7 @@ bool holds(const FlatTriangle& t, const std::array<Whole, 3>& w)
     return true;
 }
 
-/// Marks the nodes under an odd number of triangles: there the surface has no underside.
+/// Marks the nodes with an odd number of triangles, where the surface has no underside.
 std::vector<std::uint8_t> nodesWithoutUnderside(const MeshOverGrid& mesh, const Grid& grid)
 {
     std::vector<std::uint8_t> odd(grid.count(), 0);
@@ -174,7 +174,7 @@ std::vector<std::uint8_t> nodesWithoutUnderside(const MeshOverGrid& mesh, const 
 
 constexpr std::int32_t kNotAtRim = -1;
 
-/// Numbers the cells at the end of the silhouette: solid nodes with an empty one among their eight neighbours, and
+/// Numbers the cells at the edge of the silhouette: solid nodes with an empty one among their eight neighbours, and
 /// empty nodes with a solid one.
 std::vector<std::int32_t> numberRimCells(const HeightMaps& maps)
 {
@@ -194,13 +194,13 @@ std::vector<std::int32_t> numberRimCells(const HeightMaps& maps)
     return number;
 }
 
-/// One bit for each sample of a cell in the silhouette, row by row.
+/// One bit for each sample of a cell, row by row: set if the sample is in the silhouette.
 using Coverage = std::array<std::uint16_t, kSamples>;
 
 std::vector<Coverage> sampleRimCells(const MeshOverGrid& mesh, const Grid& grid, const std::vector<std::int32_t>& rim)
 {
     std::vector<Coverage> coverage(static_cast<std::size_t>(*std::max_element(rim.begin(), rim.end()) + 1));
-    // Samples are in the middle of the 16 x 16 parts of the square around a node.
+    // Samples are at the centres of the 16 x 16 parts of the square around a node.
     const Whole offset = (kSampleStep - kStep) / 2;
     mesh.forEachTriangle([&](const FlatTriangle& t) {
         const auto cellOf = [&](Whole x) { return static_cast<int>(floorDivide(x + kStep / 2, kStep)); };
@@ -225,13 +225,13 @@ std::vector<Coverage> sampleRimCells(const MeshOverGrid& mesh, const Grid& grid,
     return coverage;
 }
 
-/// Gives each covered sample of an empty cell to the nearest surrounding solid node.
+/// Assigns each covered sample of an empty cell to the nearest surrounding solid node.
 void shareOut(const Coverage& cell, const HeightMaps& maps, int i, int j, float sampleArea, std::vector<float>& area)
 {
     struct Neighbour
     {
         std::size_t index;
-        int a;  // in samples from the first sample of the cell, doubled to stay whole
+        int a;  // in samples from the first sample of the cell, times 2 to be whole
         int b;
     };
     std::array<Neighbour, 8> solid{};

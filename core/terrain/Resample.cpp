@@ -8,14 +8,14 @@
 namespace core::terrain {
 namespace {
 
-/// The nodes at or around a new one.
+/// The old nodes at or around a new one.
 struct Around
 {
     std::array<std::size_t, 4> node{};
     std::size_t count = 0;
 };
 
-/// Returns the surrounding nodes that hold tooth.
+/// Returns the surrounding nodes that contain tooth.
 Around around(const ToothAnatomy& anatomy, int i, int j, Sampling sampling)
 {
     Around found;
@@ -42,8 +42,8 @@ float mean(const Around& of, const auto& value)
     return sum / static_cast<float>(of.count);
 }
 
-/// Averages a layer with two interfaces. The thickness is the mean, with 0 for a column without the layer; the middle
-/// is the mean of the columns that have it.
+/// Averages a layer with two interfaces. The thickness is the mean over all columns, with 0 for a column without the
+/// layer. The height of its middle is the mean over the columns that have the layer.
 void meanLens(const Around& of, const auto& roof, const auto& floor, float& meanRoof, float& meanFloor)
 {
     float thick = 0.0F;
@@ -65,7 +65,7 @@ void meanLens(const Around& of, const auto& roof, const auto& floor, float& mean
     meanFloor = middle - 0.5F * thick;
 }
 
-/// Divides each old column's area equally among the new ones within its cell that hold tooth.
+/// Divides the area of each old column equally among the new columns within its cell that contain tooth.
 void shareAreas(const ToothAnatomy& anatomy, Sampling sampling, ToothAnatomy& made)
 {
     const Grid& grid = anatomy.grid;
@@ -134,7 +134,7 @@ std::shared_ptr<const ToothAnatomy> resampled(const ToothAnatomy& anatomy, Sampl
             made->bottom[to] = mean(here, [&](std::size_t k) { return anatomy.bottom[k]; });
             ColumnLayers& column = made->layers[to];
             const auto& layers = anatomy.layers;
-            // Beyond the tooth a layer has the value of its end.
+            // Outside the tooth, a layer has the value of the tooth's end.
             column.dej =
                 mean(here, [&](std::size_t k) { return std::clamp(layers[k].dej, anatomy.bottom[k], anatomy.top[k]); });
             meanLens(

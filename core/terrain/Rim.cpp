@@ -14,7 +14,7 @@
 namespace core::terrain {
 namespace {
 
-/// Calls visit(index) for each of the up to eight neighbours.
+/// Calls visit(index) for each of the up to eight neighbours of a node.
 template <class Visit>
 void forEachNeighbour(const Grid& grid, int i, int j, Visit visit)
 {

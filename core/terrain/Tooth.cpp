@@ -59,7 +59,7 @@ std::vector<std::uint8_t> perforations(const Tooth& tooth)
 {
     const Grid& grid = tooth.grid();
     const ToothAnatomy& anatomy = *tooth.anatomy;
-    // An empty node connected with a node that was empty at first is outside. Any other empty node is a hole.
+    // An empty node connected with an initially empty node is outside. Any other empty node belongs to a hole.
     std::vector<std::uint8_t> outside(grid.count(), 0);
     std::vector<std::size_t> reached;
     bool anyGone = false;
@@ -117,7 +117,7 @@ PerMaterial lengthsBetween(const ColumnLayers& column, float low, float high)
         length[at(material)] = static_cast<double>(high) - static_cast<double>(low);
         return length;
     }
-    // First the lesion, then the parts above and below it.
+    // The lesion first, then the parts of the column above and below it.
     const float lesionLow = std::clamp(column.cariesFloor, low, high);
     const float lesionHigh = std::clamp(column.cariesRoof, lesionLow, high);
     length[at(Material::Caries)] = static_cast<double>(lesionHigh) - static_cast<double>(lesionLow);
@@ -162,7 +162,7 @@ MaterialSpans spansBetween(const ColumnLayers& column, float low, float high)
         const float to = ends.at(k);
         if (!(to > from))
             continue;
-        // materialAt() counts the upper end of a stretch to it.
+        // materialAt() assigns the upper end of an interval to that interval.
         const Material material = materialAt(column, to);
         if (spans.count > 0 && spans.span.at(static_cast<std::size_t>(spans.count - 1)).material == material)
             spans.span.at(static_cast<std::size_t>(spans.count - 1)).highMm = to;

@@ -17,7 +17,7 @@ constexpr double kAlike = 0.02;          ///< mean distance of the corners, as a
 constexpr double kMostUncertain = 0.02;  ///< standard deviation of the focal length, as a share of it
 constexpr double kMostErrorPx = 2.0;     ///< in a picture that is kUsualWidth wide
 constexpr double kUsualWidth = 1280.0;
-constexpr double kHalfPixel = 0.5;  ///< OpenCV has the centre of the first pixel at (0, 0)
+constexpr double kHalfPixel = 0.5;  ///< OpenCV places the centre of the first pixel at (0, 0)
 
 tl::unexpected<Error> noFit()
 {
@@ -36,7 +36,7 @@ BoardCalibration::Look BoardCalibration::take(const PictureView& picture)
                         static_cast<std::size_t>(picture.stride));
     std::vector<cv::Point2f> corners;
     try {
-        // The options of this function make it five times slower, or the corners less exact.
+        // The options of this function make it five times slower, or make the corners less exact.
         if (!cv::findChessboardCornersSB(image, {kColumns, kRows}, corners, 0))
             return Look::NoBoard;
     } catch (const cv::Exception&) {
@@ -90,7 +90,7 @@ Result<BoardCalibration::Found> BoardCalibration::solve() const
     try {
         std::vector<cv::Mat> rotations;
         std::vector<cv::Mat> translations;
-        // A webcam's lens does not need a third radial coefficient, which makes the others uncertain.
+        // A webcam's lens needs no third radial coefficient, which would make the others uncertain.
         found.errorPx = cv::calibrateCamera(boards, seen, {m_width, m_height}, matrix, lens, rotations, translations,
                                             deviations, cv::noArray(), cv::noArray(), cv::CALIB_FIX_K3);
     } catch (const cv::Exception&) {

@@ -59,7 +59,7 @@ glm::dvec2 CameraModel::pixelOf(const glm::dvec3& pointMm) const
 glm::dvec2 CameraModel::directionOf(const glm::dvec2& pixel) const
 {
     const glm::dvec2 bent = (pixel - centrePx) / focalPx;
-    // Fixed-point iteration: the distortion of a usable lens is small.
+    // Solves by fixed-point iteration, which converges because the distortion of a usable lens is small.
     glm::dvec2 straight = bent;
     for (int n = 0; n < kUndistortSteps; ++n)
         straight += bent - distorted(straight, distortion);
@@ -68,7 +68,7 @@ glm::dvec2 CameraModel::directionOf(const glm::dvec2& pixel) const
 
 std::optional<double> CameraModel::focalAt(const glm::dvec3& positionMm, double distanceMm) const
 {
-    // The size of the tag in pixels fixes z / focal length, and so x and y. The rest of the distance gives z.
+    // The size of the tag in pixels determines z / focal length, and so x and y. The distance then gives z.
     const double z2 = distanceMm * distanceMm - positionMm.x * positionMm.x - positionMm.y * positionMm.y;
     if (!(z2 > 0.0) || !(positionMm.z > 0.0))
         return std::nullopt;

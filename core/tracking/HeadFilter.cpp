@@ -12,9 +12,9 @@ namespace core::tracking {
 namespace {
 
 constexpr double kMostAheadS = 0.03;
-constexpr double kForgottenS = 0.5;    ///< without a tag: after that, it must be found anew
-constexpr double kSamePlaceMm = 60.0;  ///< between pictures, for a tag that appears
-constexpr int kFoundAfter = 2;         ///< pictures in a row
+constexpr double kForgottenS = 0.5;    ///< after this time without a tag, it must be found anew
+constexpr double kSamePlaceMm = 60.0;  ///< largest distance between pictures of a tag that appears
+constexpr int kFoundAfter = 2;         ///< number of pictures in a row with the tag
 constexpr double kFastestMmPerS = 1500.0;
 constexpr double kFastestDegPerS = 200.0;
 constexpr double kRestMm = 5.0;  ///< measuring error that does not count as a jump
@@ -64,7 +64,7 @@ const Head& HeadFilter::take(const std::optional<PosedTag>& tag, double timeS)
     return m_head;
 }
 
-/// Returns the pose nearer to the last one, unless the other has matched the picture clearly better for some time.
+/// Returns the pose nearer to the last one, unless the other pose has matched the picture clearly better for some time.
 Pose HeadFilter::choose(const PosedTag& tag)
 {
     if (!m_isFollowing)
@@ -77,7 +77,7 @@ Pose HeadFilter::choose(const PosedTag& tag)
     }
     if (++m_otherIsBetter < kOtherAfter)
         return tag.other;
-    // The head has not turned: the wrong one of the two poses was chosen until now.
+    // The head has not turned: the filter had chosen the wrong one of the two poses.
     m_otherIsBetter = 0;
     m_head.raw.rotation = tag.pose.rotation;
     m_head.pose.rotation = tag.pose.rotation;
@@ -108,7 +108,7 @@ void HeadFilter::follow(const Pose& pose, double timeS)
         m_head.pose.positionMm[axis] = filter.take(pose.positionMm[axis], seconds);
         m_head.mmPerS[axis] = filter.speed();
     }
-    // The same filter for an orientation; its speed is the speed of turning.
+    // The same filter for an orientation. Its speed is the angular speed.
     const OneEuro::Settings& angle = m_settings.angle;
     const double turned = angleBetweenDeg(m_head.raw.rotation, pose.rotation) / seconds;
     m_turnDegPerS += OneEuro::share(angle.speedHz, seconds) * (turned - m_turnDegPerS);

@@ -10,16 +10,16 @@
 namespace core::tracking {
 namespace {
 
-constexpr double kHoldS = 1.0;    ///< time without a tag after which the view glides back
-constexpr double kSeenS = 0.25;   ///< age of a tag that is still followed
+constexpr double kHoldS = 1.0;    ///< after this time without a tag, the view glides back
+constexpr double kSeenS = 0.25;   ///< largest age of a tag that is still followed
 constexpr double kGlideS = 0.15;  ///< time constant of gliding
 constexpr double kDeadDeg = 0.3;  ///< range around the middle in which the view hardly moves
 constexpr double kMostFarther = 1.6;
 constexpr double kMostWindowDeg = 40.0;
-constexpr double kMostStep = 0.0175;  ///< most in a frame, of the distance: a degree
+constexpr double kMostStep = 0.0175;  ///< largest step per frame, as a share of the distance: a degree
 constexpr double kLeastMm = 1.0;
 
-/// Returns the value after a soft dead zone: it changes little near zero, and fully far from zero.
+/// Returns the value after a soft dead zone: small values change little, and large ones fully.
 double calmed(double deg)
 {
     return deg - kDeadDeg * std::tanh(deg / kDeadDeg);

@@ -89,7 +89,7 @@ public:
                                   "The video " + m_name + " ends before its time: it is cut off or damaged.");
             return false;
         }
-        // Some files have no times, or times that do not advance.
+        // Some files have no times, or times that do not increase.
         if (!(picture.timeS >= 0.0 && picture.timeS < kLongestS))
             picture.timeS = m_lastS + kUsualStepS;
         picture.timeS = m_pictures == 0.0 ? picture.timeS : std::max(picture.timeS, m_lastS + kLeastStepS);
@@ -100,7 +100,7 @@ public:
     bool isLive() const override { return false; }
 
 private:
-    /// Returns whether the video is cut off. The length in a header may be an estimate, and so may the times of the
+    /// Returns whether the video ends too early. The length in a header may be an estimate, and so may the times of the
     /// pictures.
     bool isCutOff() const
     {
@@ -156,7 +156,7 @@ bool isImage(const fs::path& file)
     return std::find(kImageEndings.begin(), kImageEndings.end(), ending) != kImageEndings.end();
 }
 
-/// Returns whether a file begins as text. FFmpeg would show it as a terminal's screen, or follow the links of a
+/// Returns whether a file begins as text. FFmpeg would render it as the screen of a terminal, or follow the links of a
 /// playlist.
 bool isText(const std::string& path)
 {
@@ -187,7 +187,7 @@ std::vector<CameraInfo> cameras()
         CameraInfo camera;
         const char* const end = file.data() + file.size();
         const auto [rest, code] = std::from_chars(file.data() + kBegin.size(), end, camera.number);
-        // A camera may have further devices that give no pictures.
+        // A camera may have several devices, some of which return no pictures.
         int index = 0;
         std::ifstream(entry.path() / "index") >> index;
         if (code != std::errc{} || rest != end || index != 0)

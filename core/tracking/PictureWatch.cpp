@@ -8,7 +8,7 @@ namespace core::tracking {
 namespace {
 
 constexpr int kSamplesASide = 64;
-constexpr int kDarkMean = 8;  ///< grey levels
+constexpr int kDarkMean = 8;  ///< in grey levels
 constexpr int kBrightMean = 240;
 constexpr int kTroubleAfter = 30;  ///< pictures in a row: a second. Even a dark room gives no two equal pictures
 

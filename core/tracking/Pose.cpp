@@ -22,7 +22,7 @@ glm::dvec3 rotationVectorDeg(const glm::dmat3& rotation)
     const double sine = glm::length(axis);
     if (sine == 0.0)
         return glm::dvec3(0.0);
-    // The shorter rotation.
+    // Of the two rotations, uses the shorter one.
     const double angle = 2.0 * std::atan2(sine, std::abs(turn.w));
     return axis * (std::copysign(glm::degrees(angle), turn.w) / sine);
 }

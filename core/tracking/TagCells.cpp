@@ -18,7 +18,7 @@ TagCells cellsOf(int id)
     for (int y = 0; y < kCellsASide && y < image->height; ++y)
         for (int x = 0; x < kCellsASide && x < image->width; ++x)
             cells.at(static_cast<std::size_t>(y * kCellsASide + x)) = image->buf[y * image->stride + x] != 0;
-    // Like image_u8_destroy(), which is in a separate library.
+    // Does the same as image_u8_destroy(), which is in a separate library.
     std::free(image->buf);
     std::free(image);
     tag36h11_destroy(family);

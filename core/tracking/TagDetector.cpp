@@ -11,12 +11,13 @@ namespace core::tracking {
 namespace {
 
 constexpr double kSharpening = 0.25;   ///< AprilTag's own default
-constexpr double kLeastMargin = 30.0;  ///< tags on photographs have 43 and more; false ones have less
+constexpr double kLeastMargin = 30.0;  ///< tags on photographs have 43 or more, false detections less
 constexpr int kLeastSidePx = 16;
-/// Distance of a corner from the border, as a share of the tag's edge; the white border is an eighth. If a corner of
-/// the square is cut off, the detector finds it some pixels away from its true place.
+/// Least distance of a corner from the border, as a share of the tag's edge; the white border is an eighth wide. If a
+/// corner of the square is cut off, the detector finds it some pixels away from its true position.
 constexpr double kLeastFromBorder = 0.08;
-/// For all ids, AprilTag's default. For a single id, one bit is enough and needs a megabyte instead of nineteen.
+/// Bits that may be corrected: AprilTag's default for all ids. For a single id, one bit is enough, and needs one
+/// megabyte instead of nineteen.
 constexpr int kCorrectedOfAll = 2;
 constexpr int kCorrectedOfOne = 1;
 

@@ -34,7 +34,7 @@ double errorPx(const Pose& pose, const SeenTag& tag, const CameraModel& camera, 
     return std::sqrt(sum / static_cast<double>(corners.size()));
 }
 
-/// Converts a pose. Our frame has y down and z into the tag; OpenCV's square has y up and z out of it.
+/// Converts a pose. Our frame has y down and z into the tag, that of OpenCV's square has y up and z out of the tag.
 Pose poseFrom(const cv::Mat& rotationVector, const cv::Mat& translation)
 {
     cv::Matx33d turn;

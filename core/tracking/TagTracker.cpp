@@ -13,14 +13,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kGrowth = 0.6;  ///< of the region on every side, as a share of the tag's size
-constexpr int kWholeEvery = 30;  ///< one of so many pictures is searched whole although the tag is followed
-constexpr int kFineEvery = 3;    ///< one of so many searches also looks for small tags
+constexpr double kGrowth = 0.6;  ///< growth of the region on every side, as a share of the tag's size
+constexpr int kWholeEvery = 30;  ///< every so many pictures, the whole picture is searched although the tag is followed
+constexpr int kFineEvery = 3;    ///< every so many searches also look for small tags
 constexpr int kFineDecimation = 2;
-constexpr int kAllEvery = 9;           ///< one of so many searches uses every pixel: a small tag tilted by 45 degrees
+constexpr int kAllEvery = 9;           ///< every so many searches use every pixel, for a small tag tilted by 45 degrees
 constexpr double kSmallEdgePx = 80.0;  ///< smaller tags are followed with every pixel, which halves the noise of depth
 constexpr int kAllDecimation = 1;
-constexpr int kTilePx = 4;  ///< AprilTag finds the local contrast in squares of so many searched pixels
+constexpr int kTilePx = 4;  ///< AprilTag computes the local contrast in squares of this many searched pixels
 
 double msSince(Clock::time_point begun)
 {
@@ -90,7 +90,8 @@ Result<TagFrame> TagTracker::look(const PictureView& picture)
     return frame;
 }
 
-/// Sorts the tag nearest to the last one first; without a last one, the largest.
+/// Sorts the tags by their distance from the last one. Without a last one, or if all ids are searched, sorts them by
+/// size, largest first.
 void TagTracker::sortTags(std::vector<SeenTag>& tags) const
 {
     if (m_last && m_settings.id)
@@ -124,11 +125,11 @@ std::vector<SeenTag> TagTracker::searchRegion(const PictureView& picture, const 
         low = glm::min(low, corner);
         high = glm::max(high, corner);
     }
-    const glm::dvec2 margin = (high - low) * kGrowth;  // the white border, and some more
+    const glm::dvec2 margin = (high - low) * kGrowth;  // the white border and a little more
     low -= margin;
     high += margin;
     const int decimation = last.edgePx() < kSmallEdgePx ? 1 : m_settings.regionDecimation;
-    // A region with another start is sampled at other pixels, and the corners are found a little elsewhere.
+    // If a region began elsewhere, it would be sampled at other pixels, and the corners would move a little.
     const int step = kTilePx * decimation;
     const glm::ivec2 first = glm::ivec2(glm::floor(glm::max(low, 0.0) / static_cast<double>(step))) * step;
     const TagDetector::Region region{first.x, first.y, static_cast<int>(std::ceil(high.x)) - first.x,

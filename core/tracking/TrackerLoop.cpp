@@ -18,9 +18,9 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto kTryAgain = 1s;
-constexpr auto kNap = 50ms;  ///< so that the thread can be ended soon
+constexpr auto kNap = 50ms;  ///< short, so that the thread can be ended soon
 constexpr double kWindowS = 1.0;
-constexpr double kMovesMm = 1.0;  ///< more than noise
+constexpr double kMovesMm = 1.0;  ///< larger than noise
 
 double secondsOf(Clock::time_point time)
 {
@@ -68,7 +68,7 @@ void TrackerLoop::tick(std::chrono::microseconds /*dt*/)
             return;
         }
     }
-    // A video that is cut off ends there.
+    // A video that is cut off ends at this picture.
     if (!got || !*got) {
         m_hasEnded = true;
         const std::lock_guard lock(m_mutex);
@@ -90,7 +90,7 @@ void TrackerLoop::lose(const Error& error)
     m_report.error = error;
 }
 
-/// Waits until the time of the next picture of a video, and gives the picture that time.
+/// Waits until the next picture of a video is due, and gives the picture that time.
 void TrackerLoop::paceVideo()
 {
     const auto due =

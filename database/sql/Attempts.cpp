@@ -45,7 +45,7 @@ std::vector<CriterionLoss> criteriaOf(const QByteArray& json)
     return criteria;
 }
 
-/// A column of the table "attempts".
+/// The mapping between a column of the table "attempts" and the record.
 struct Column
 {
     const char* name;
@@ -95,7 +95,7 @@ void fromColumn(const QVariant& value, std::optional<int>& field)
     field = value.isNull() ? std::nullopt : std::optional(value.toInt());
 }
 
-/// The column of a field of the record.
+/// Returns the mapping of a column to a field of the record.
 template <auto Field>
 constexpr Column fieldColumn(const char* name, bool isInserted = true)
 {
@@ -135,10 +135,10 @@ constexpr std::array kAttemptColumns{
     fieldColumn<&AttemptRecord::peakForceMn>("peak_force_mn"),
     fieldColumn<&AttemptRecord::passMarkTenths>("pass_mark_tenths"),
 };
-/// The first column behind those of an attempt, where a query reads more.
+/// Index of the first column after those of an attempt, for queries that read more.
 constexpr int kNextColumn = static_cast<int>(kAttemptColumns.size());
 
-/// "a.id, a.uid, ...": what recordOf() reads from attempts a.
+/// Returns "a.id, a.uid, ...": the columns of the attempts a that recordOf() reads.
 QString selectedColumns()
 {
     QStringList names;
@@ -203,7 +203,7 @@ core::Result<AttemptId> insert(const DatabaseContext& school, PersonId person, c
             return tl::unexpected(hash.error());
         kept.recordingHash = *hash;
     }
-    // A recording on its way holds nobody up.
+    // Takes its turn only now, so that no other station waits while a recording is transferred.
     if (auto turn = takeTurn(school); !turn)
         return tl::unexpected(turn.error());
     const auto added = insertRow(school, kept);
@@ -253,7 +253,7 @@ core::Result<PersonId> ownerOf(const DatabaseContext& school, AttemptId id)
 core::Result<AuthorizedUser> admitToAttempt(const DatabaseContext& school, const Login& session, Operation operation,
                                             AttemptId id)
 {
-    // Who may do it to nobody's shall not learn what there is.
+    // Checks the permission first: users without it must not learn which attempts exist.
     if (auto who = authorize(school, session, operation); !who)
         return who;
     const auto owner = ownerOf(school, id);
@@ -279,7 +279,7 @@ core::Result<std::string> checkWords(const std::string& words, const char* what)
     return trimmed.toStdString();
 }
 
-/// Computes the standing of one person in one lesson anew from the attempts.
+/// Recomputes the standing of one person in one lesson from all their attempts.
 core::Status recount(const DatabaseContext& school, AttemptId id)
 {
     return execute(

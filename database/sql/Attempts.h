@@ -19,12 +19,12 @@ using database::HistoryQuery;
 using database::NewComment;
 
 /// Stores an attempt with its recording (empty: none); both are on the disk when this returns. If an attempt with this
-/// uid is stored already, returns its id and changes nothing. The outbox of this station vouches for the person
-/// (attempt.personUid), who may have logged out or been disabled meanwhile.
+/// uid is stored already, returns its id and changes nothing. The person is attempt.personUid, as the outbox of this
+/// station signed it: they may have logged out, or been disabled, since the attempt.
 [[nodiscard]] core::Result<AttemptId> deliverAttempt(const DatabaseContext& school, const AttemptRecord& attempt,
                                                      const QByteArray& recording);
 
-/// The last attempts of a person, newest first, without their score sheets.
+/// Returns the last attempts of a person, newest first, without their score sheets.
 [[nodiscard]] core::Result<std::vector<AttemptRecord>> history(const DatabaseContext& school, const Login& session,
                                                                PersonId person, const HistoryQuery& query);
 
@@ -44,21 +44,20 @@ using database::NewComment;
                                                                   const std::string& lessonId,
                                                                   const std::string& lessonHash, int limit);
 
-/// Returns the SQL for the input device by which attempts are compared, from the column that stores it. In old
-/// attempts, "pointer" stands for mouse, pen, keyboard and gamepad; nearly all used a mouse, so it counts as one.
+/// Returns the SQL for the input device by which attempts are compared, from the column that stores it. In old attempts
+/// "pointer" stands for mouse, pen, keyboard and gamepad. It counts as a mouse, because nearly all of them used one.
 [[nodiscard]] QString comparedDevice(const QString& column);
 
 /// Returns the rank of a score, in tenths of a point, among the best scores of the user's classmates in a lesson, by
-/// the same rubric and with the same input device, including the user's own; without a class it is the only one.
-/// Classmates are the students who can log in and are currently in one of the user's classes.
+/// the same rubric and with the same input device. The user's own best score counts as well; without a class it is the
+/// only one. Classmates are the students who can log in and are currently in one of the user's classes.
 /// @param device  as AttemptRecord::device
 [[nodiscard]] core::Result<lessons::ClassStanding>
 standingAmongClassmates(const DatabaseContext& school, const Login& session, const std::string& lessonId,
                         const std::string& rubricHash, const std::string& device, int tenths);
 
-/// Sets the score that counts in place of the computed one, which is kept. ChangedSince: the number of given scores is
-/// not `before`.
-/// @param before  number of scores given so far, as the user has seen it; empty: not checked
+/// Overrides the computed score, which stays in the database. ChangedSince: the number of overrides is not `before`.
+/// @param before  number of overrides that the user has seen; empty: not checked
 [[nodiscard]] core::Status overrideScore(const DatabaseContext& school, const Login& session, AttemptId id,
                                          std::optional<int> tenths, const std::string& reason,
                                          std::optional<std::size_t> before = {});
@@ -69,8 +68,8 @@ standingAmongClassmates(const DatabaseContext& school, const Login& session, con
 /// already.
 [[nodiscard]] core::Status withdrawComment(const DatabaseContext& school, const Login& session, std::int64_t comment);
 
-/// Calls `take` for every attempt of a person, with its score sheet and the audit's note when it was stored (JSON;
-/// empty: none). For checking and copying the database; without a permission check.
+/// Calls `take` for every attempt of a person, with its score sheet and the detail of its audit row (JSON; empty: there
+/// is no such row). For checking and copying the database. Does not check permissions.
 [[nodiscard]] core::Status
 forEachAttempt(const QSqlDatabase& db,
                const std::function<void(const AttemptRecord& attempt, const std::string& noted)>& take);
@@ -78,8 +77,8 @@ forEachAttempt(const QSqlDatabase& db,
 /// Returns the audit's digest of an attempt: a hash of all its fields that never change.
 [[nodiscard]] std::string digestOfAttempt(const AttemptRecord& attempt);
 
-/// Returns the digest of what a teacher wrote, from its row: of a comment words, x_um, y_um, z_um, moment_ms,
-/// written_utc; of a given score reason, given_utc.
+/// Returns the audit's digest of a text that a teacher wrote, from its row. Columns of a comment: words, x_um, y_um,
+/// z_um, moment_ms, written_utc. Columns of an override: reason, given_utc.
 [[nodiscard]] std::string digestOfComment(const QVariantList& row);
 
 }  // namespace database::sql

@@ -20,7 +20,7 @@ namespace {
 const std::string kNote = "note it in the audit";
 const std::string kRead = "read the audit";
 constexpr std::size_t kCodeDigits = 12;
-/// No school has as many rows. A larger number is false, and the next row needs one as well.
+/// No real database has as many rows. A larger number is forged; the limit also leaves room for the next row.
 constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::max() / 4;
 const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, detail, hash");
 const QString kNoAttempt = QStringLiteral("AND action NOT IN ('attempt.add', 'exam.begin')");
@@ -36,9 +36,9 @@ AuditRow rowOf(const QSqlQuery& query)
             textOf(query, 6)};
 }
 
-/// Noted if the chain ends differently from its signature.
+/// Action of the row that is added if the end of the chain does not match its signature.
 const std::string kBroken = "audit.broken";
-/// Noted, with its key, before the first row that a station signs. Each chain begins with it.
+/// Action of the row with a station's key, before the first row that the station signs. Each chain begins with it.
 const std::string kJoin = "station.join";
 
 std::string stationOf(const std::string& key)
@@ -56,7 +56,7 @@ IntegrityIssue about(const AuditRow& row, const char* words)
     return {words, {std::to_string(row.seq), row.atUtc, row.action, row.object}};
 }
 
-/// Returns the fault of a row that does not follow from the one before it.
+/// Returns the issue of a row that does not follow from the previous row.
 std::optional<IntegrityIssue> faultOf(const AuditRow& row, const AuditRow& before)
 {
     if (row.seq > before.seq + 1)
@@ -73,7 +73,7 @@ std::optional<IntegrityIssue> faultOf(const AuditRow& row, const AuditRow& befor
     return {};
 }
 
-/// Returns the fault of a row against the signed head.
+/// Returns the issue of a row that does not match the signed head.
 std::optional<IntegrityIssue> faultBySeal(const AuditRow& row, const AuditHead& head)
 {
     if (row.seq > head.seq)
@@ -88,8 +88,8 @@ std::optional<IntegrityIssue> faultBySeal(const AuditRow& row, const AuditHead& 
     return {};
 }
 
-/// Returns the fault of a row against the codes that reports show.
-/// @param witnesses  row and beginning of its hash
+/// Returns the issue of a row that does not match the audit codes of reports.
+/// @param witnesses  number of a row and the first digits of its hash
 std::optional<IntegrityIssue> faultByWitness(const AuditRow& row, const std::vector<AuditHead>& witnesses)
 {
     for (const AuditHead& witness : witnesses)
@@ -100,7 +100,7 @@ std::optional<IntegrityIssue> faultByWitness(const AuditRow& row, const std::vec
     return {};
 }
 
-/// Returns the fault at the end of a chain that is otherwise whole.
+/// Returns the issue at the end of a chain whose rows are all valid.
 std::optional<IntegrityIssue> faultOfEnd(const AuditRow& last, const AuditHead& head,
                                          const std::vector<AuditHead>& witnesses)
 {
@@ -115,8 +115,8 @@ std::optional<IntegrityIssue> faultOfEnd(const AuditRow& last, const AuditHead& 
     return {};
 }
 
-/// Returns the fault of the signer of the head.
-/// @param stations  keys of those that have joined, as they are noted
+/// Returns the issue of the station that signed the head.
+/// @param stations  keys of the stations that the audit records
 std::optional<IntegrityIssue> faultOfSigner(const AuditHead& head, const std::string& signature, const std::string& key,
                                             const std::set<std::string>& stations)
 {
@@ -186,10 +186,10 @@ core::Status AuditBatch::begin()
     m_insert.emplace(m_school.db);
     if (!m_insert->prepare(QStringLiteral("INSERT INTO audit (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(kColumns)))
         return tl::unexpected(dialect::error(m_school.db, m_insert->lastError(), kNote));
-    // To sign on as if nothing had happened would make good what somebody has done to the chain.
+    // Without this row, a new signature would hide that the chain was changed.
     if (auto noted = isSound ? core::Status() : note("system", kBroken, "audit"); !noted || !mustJoin)
         return noted;
-    // The first row of all tells schools apart, whoever begins two of them at once.
+    // The random uid makes the first row unique, even if two databases are created at the same time.
     const QJsonObject school{{"school", QString::fromStdString(newUid())}};
     return note("system", kJoin, stationOf(m_school.key.publicHex()), isFirst ? school : QJsonObject());
 }

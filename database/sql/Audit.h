@@ -17,14 +17,14 @@
 #include "database/sql/DatabaseContext.h"
 #include "database/sql/Statement.h"
 
-/// The audit log: what was done, when and by whom. Each row contains the hash of the row before it; the newest row is
-/// signed by the station that wrote it. Changing, removing, inserting or moving rows breaks the chain; cutting off its
-/// end breaks the signed head, and a printed report has an older head for comparison. Each station is noted before the
-/// first row that it signs.
+/// The audit log records what was done, when and by whom. Each row contains the hash of the row before it, and the
+/// station that wrote the newest row has signed it. Changing, removing, inserting or moving rows breaks the chain.
+/// Cutting off its end invalidates the signed head; a printed report shows an older head to compare with. Before the
+/// first row that a station signs, a row records the station's key.
 namespace database::sql {
 
-/// Returns the BLAKE2b-256 over the hash of the row before and all fields of this row but its hash, each with its
-/// length.
+/// Returns the BLAKE2b-256 of the hash of the previous row and all fields of this row except its own hash, each with
+/// its length.
 [[nodiscard]] std::string hashOf(const AuditRow& row, const std::string& hashBefore);
 
 /// Adds several rows inside one transaction, and signs the last.
@@ -52,9 +52,9 @@ private:
 [[nodiscard]] core::Status note(const DatabaseContext& school, const std::string& actor, const std::string& action,
                                 const std::string& object, const QJsonObject& detail = {});
 
-/// Waits until no other transaction that adds audit rows is running. Call inside a transaction, before it reads what it
-/// will change. On a server, two such transactions could otherwise each decide by the state before the other (two
-/// admins who disable each other), or deadlock. A file allows one write at a time anyway.
+/// Waits until no other transaction that adds audit rows is running. Call it inside a transaction before reading the
+/// data that the transaction will change. On a server, two such transactions could otherwise both decide by the same
+/// old state (two admins who disable each other), or deadlock. A file allows only one write at a time anyway.
 [[nodiscard]] core::Status takeTurn(const DatabaseContext& school);
 
 /// Runs a transaction that calls takeTurn() first.
@@ -77,14 +77,15 @@ using database::AuditRows;
 {
     return auditHead(school.db);
 }
-/// The newest rows of these, newest first, at most `limit`, those before row `beforeSeq` if that is not 0. Admins.
+/// Returns the newest of the selected rows, newest first, at most `limit`; if `beforeSeq` is not 0, only rows before
+/// it. Admins.
 [[nodiscard]] core::Result<std::vector<AuditRow>> readAudit(const DatabaseContext& school, const Login& session,
                                                             int limit, std::int64_t beforeSeq = 0,
                                                             AuditRows rows = AuditRows::All);
 
-/// Follows the chain from its first row to its signed head and stops at the first invalid row, which is the only
-/// finding. Empty: the chain is valid, or `progress` returned false. If others may write meanwhile, call it in a
-/// transaction.
+/// Verifies the chain from its first row to its signed head and stops at the first invalid row. Returns one finding
+/// about that row. Returns none if the chain is valid or `progress` returned false. If others may write meanwhile, call
+/// it in a transaction.
 /// @param witnesses  audit codes of printed reports
 /// @param progress  called with the number of rows checked
 [[nodiscard]] core::Result<std::vector<IntegrityIssue>>

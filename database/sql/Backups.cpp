@@ -28,7 +28,7 @@ namespace {
 
 using core::ErrorCode;
 
-constexpr int kStepsPerLook = 50'000;  ///< of SQLite's machine: some milliseconds
+constexpr int kStepsPerLook = 50'000;  ///< of SQLite's virtual machine: some milliseconds
 constexpr std::size_t kWholeDays = 2;
 constexpr std::size_t kDays = 12;
 constexpr std::size_t kWeeks = 10;
@@ -43,7 +43,7 @@ core::Error refused(const QString& file, const std::string& why, ErrorCode code 
     return {code, "backup " + file.toStdString() + ": " + why};
 }
 
-/// Returns an error about the place where a backup is to be restored.
+/// Returns an error about the location where a backup is to be restored.
 core::Error refusedThere(const QString& databaseFile, const std::string& why,
                          ErrorCode code = ErrorCode::FileUnwritable)
 {
@@ -61,8 +61,8 @@ void removeWhole(const QString& databaseFile)
         QFile::remove(file);
 }
 
-/// A connection that reads a file which no program changes. It creates no file beside it, so a read-only disk will do.
-/// A write-ahead log left by a crashed program is read too.
+/// A connection for reading a file that no program changes. It creates no files beside it, so a read-only disk is
+/// sufficient. It also reads the write-ahead log that a crashed program left.
 class Reader
 {
 public:
@@ -91,7 +91,7 @@ core::Status expectOk(const QSqlDatabase& db, const QString& pragma)
     const auto answer = ask(db, pragma, "check it");
     if (!answer)
         return tl::unexpected(answer.error());
-    // foreign_key_check answers with nothing if all is well.
+    // foreign_key_check returns no rows if all keys are valid.
     if (answer->isNull() || answer->toString() == u"ok")
         return {};
     return core::unexpected(ErrorCode::BadStructure, "database " + dialect::nameOf(db) + ": it is damaged (" +
@@ -99,8 +99,8 @@ core::Status expectOk(const QSqlDatabase& db, const QString& pragma)
                                                          "); restore an older backup");
 }
 
-/// Writes the database, as it is at one moment, into a new file.
-/// @param mode  of the new file, from the first moment on
+/// Writes a consistent copy of the database into a new file.
+/// @param mode  permissions of the new file, from its creation on
 core::Status copyInto(const QSqlDatabase& db, const QString& file, QFile::Permissions mode,
                       const BackupProgress& progress)
 {
@@ -135,16 +135,16 @@ core::Status copyInto(const QSqlDatabase& db, const QString& file, QFile::Permis
         refused(file, "it could not be written; make room on the disk and try again (" + done.error().detail + ')'));
 }
 
-/// Gives a file a name that is not taken. Returns false if another file has that name.
+/// Renames a file if the new name is free. Returns false if another file has that name.
 bool giveName(const QString& file, const QString& name)
 {
     if (renameat2(AT_FDCWD, QFile::encodeName(file).constData(), AT_FDCWD, QFile::encodeName(name).constData(),
                   RENAME_NOREPLACE) == 0)
         return true;
-    return errno != EEXIST && QFile::rename(file, name);  // not every file system can do that in one step
+    return errno != EEXIST && QFile::rename(file, name);  // some file systems do not support this flag
 }
 
-/// Removes the remains of backups that were killed more than a day ago.
+/// Removes the files of interrupted backups that are older than a day.
 void removeLeftParts(const QString& folder, const QString& kind)
 {
     const QDateTime yesterday = QDateTime::currentDateTimeUtc().addDays(-1);
@@ -175,7 +175,7 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
         return tl::unexpected(refused(part, "it does not hold the school; make it again"));
     if (!core::bringToDisk(part.toStdU16String()))
         return tl::unexpected(refused(part, "it could not be brought to the disk; make room there and try again"));
-    for (QDateTime at = nowUtc;; at = at.addSecs(1)) {  // another program may have made one in the same second
+    for (QDateTime at = nowUtc;; at = at.addSecs(1)) {  // another program may have made a backup in the same second
         QString name = nameAt(at);
         if (giveName(part, name) && core::bringToDisk(folder.toStdU16String()))
             return name;
@@ -184,7 +184,7 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
     }
 }
 
-/// Renames a database and the files beside it. If it fails, it returns false and all names are as before.
+/// Renames a database and the files beside it. If that fails, it restores all names and returns false.
 bool moveWhole(const QString& from, const QString& to)
 {
     QStringList moved;
@@ -200,17 +200,17 @@ bool moveWhole(const QString& from, const QString& to)
     return true;
 }
 
-/// Copies a backup and brings the copy to this program's schema.
+/// Copies a backup and migrates the copy to this program's schema.
 core::Status makeReady(const QString& backup, const QString& copy, const QString& databaseFile,
                        const BackupProgress& progress)
 {
-    removeWhole(copy);  // of a restore that was killed
+    removeWhole(copy);  // of an interrupted restore
     const QFile::Permissions mode = QFileInfo::exists(databaseFile) ? QFile::permissions(databaseFile) : kOwners;
     if (auto copied = copyInto(Reader(backup).handle(), copy, mode, progress); !copied)
         return copied;
     Database::Options options;
     options.mayCreate = false;
-    options.savesFirst = false;  // the backup itself is what there is to go back to
+    options.savesFirst = false;  // the backup itself can be restored again
     Address address;
     address.file = copy;
     if (auto opened = Database::open(address, options); !opened) {
@@ -223,7 +223,7 @@ core::Status makeReady(const QString& backup, const QString& copy, const QString
     return {};
 }
 
-/// Moves the database aside and puts the copy in its place.
+/// Renames the database and moves the copy to its path.
 core::Result<QString> replace(const QString& copy, const QString& databaseFile, const QDateTime& nowUtc)
 {
     const bool wasThere = QFileInfo::exists(databaseFile);
@@ -232,7 +232,7 @@ core::Result<QString> replace(const QString& copy, const QString& databaseFile, 
         return target.absoluteDir().filePath("replaced-" + at.toString(kStamp) + '-' + target.fileName());
     };
     QDateTime at = nowUtc;
-    while (QFile::exists(asideAt(at)))  // of a restore in the same second
+    while (QFile::exists(asideAt(at)))  // an earlier restore in the same second
         at = at.addSecs(1);
     const QString replaced = asideAt(at);
     if (!moveWhole(databaseFile, replaced))
@@ -358,7 +358,7 @@ QStringList tooMany(const QStringList& files)
             continue;
         int year = 0;
         const int week = made.date().weekNumber(&year);
-        // The newest of its day, week or month comes first.
+        // The list is sorted: the first backup of a day, week or month is its newest.
         const auto isFirst = [](std::set<QString>& seen, std::size_t most, const QString& when) {
             return seen.size() < most && seen.insert(when).second;
         };
@@ -366,7 +366,7 @@ QStringList tooMany(const QStringList& files)
         const bool forDay = isFirst(days, kDays, day);
         const bool forWeek = isFirst(weeks, kWeeks, QStringLiteral("%1-%2").arg(year).arg(week));
         const bool forMonth = isFirst(months, kMonths, made.date().toString(QStringLiteral("yyyy-MM")));
-        // Who backs up after an accident must not lose the copy from before it.
+        // A user who makes a backup after an accident must not lose the backup from before it.
         const bool isYoung = days.contains(day) && days.size() <= kWholeDays;
         if (!isYoung && !forDay && !forWeek && !forMonth)
             gone += file;
@@ -399,10 +399,10 @@ core::Status expectClosed(const QString& databaseFile)
 {
     sqlite3* db = nullptr;
     int code = sqlite3_open_v2(databaseFile.toUtf8().constData(), &db, SQLITE_OPEN_READWRITE, nullptr);
-    // Every other connection holds a lock: with a write-ahead log while it is open, else while it reads or writes.
+    // Every other connection has a lock: all the time with a write-ahead log, otherwise while it reads or writes.
     if (code == SQLITE_OK)
         code = sqlite3_exec(db, "PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; COMMIT", nullptr, nullptr, nullptr);
-    sqlite3_close(db);  // which brings a log that a crashed program left into the file
+    sqlite3_close(db);  // this merges the log of a crashed program into the file
     if (code != SQLITE_BUSY)
         return {};
     return tl::unexpected(
@@ -439,7 +439,7 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
     const auto removeCopy = qScopeGuard([&copy] { removeWhole(copy); });
     if (auto ready = makeReady(backup, copy, databaseFile, progress); !ready)
         return tl::unexpected(ready.error());
-    // That took its time.
+    // Checks again, because makeReady() takes a while.
     if (auto closed = expectClosed(databaseFile); !closed)
         return tl::unexpected(closed.error());
     if (progress && !progress())

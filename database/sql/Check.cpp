@@ -29,14 +29,14 @@ void say(CheckReport& report, const IntegrityIssue& finding)
         report.findings.push_back(finding);
 }
 
-/// Checks that the tables of the migrations exist, and the triggers that keep rows from being changed.
+/// Checks that all tables of the migrations exist, and the triggers that prevent changes of rows.
 core::Status checkSchema(const QSqlDatabase& db, CheckReport& report)
 {
     const auto steps = shippedMigrations();
     if (!steps)
         return tl::unexpected(steps.error());
     std::set<QString> there;
-    // A trigger of a server that is switched off, or fires only for copies of another server, is as good as none.
+    // On a server, a trigger that is disabled or fires on replicas only does not count.
     const QString names =
         dialect::isPostgres(db)
             ? QStringLiteral(
@@ -64,7 +64,7 @@ core::Status checkSchema(const QSqlDatabase& db, CheckReport& report)
 core::Status checkPages(const QSqlDatabase& db, CheckReport& report)
 {
     if (dialect::isPostgres(db))
-        return {};  // the server's own business
+        return {};  // the server checks its pages itself
     if (auto read = forEach(db, "PRAGMA integrity_check", kDoing, {},
                             [&](const QSqlQuery& row) {
                                 if (row.value(0).toString() != u"ok")
@@ -81,7 +81,7 @@ core::Status checkPages(const QSqlDatabase& db, CheckReport& report)
 
 core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Progress& progress)
 {
-    // Those without an owner were made before there were people, and before there was an audit.
+    // Attempts without a person are older than accounts and the audit.
     const auto early = ask(db, "SELECT COUNT(*) FROM attempts WHERE person_id IS NULL", kDoing);
     if (!early)
         return tl::unexpected(early.error());
@@ -131,7 +131,7 @@ core::Status checkChain(const QSqlDatabase& db, const std::vector<std::string>& 
         return tl::unexpected(found.error());
     for (const IntegrityIssue& finding : *found)
         say(report, finding);
-    if (!found->empty() && witnesses.empty())  // a code may be mistyped
+    if (!found->empty() && witnesses.empty())  // with witnesses the reason may be a mistyped code
         report.notes.push_back(
             {QT_TRANSLATE_NOOP("Finding", "the audit itself was changed: rows that differ from it may be right all "
                                           "the same"),
@@ -207,7 +207,7 @@ core::Status checkRecordings(const QSqlDatabase& db, CheckReport& report, const 
     return {};
 }
 
-/// Reports a head that was signed with the key of another station: anyone can make a key and sign with it.
+/// Reports a head that was signed with the key of another station, because anyone can create a key and sign with it.
 core::Status checkSigner(const QSqlDatabase& db, const std::string& stationKey, CheckReport& report)
 {
     const auto signer = ask(db, "SELECT station_key FROM audit_seal WHERE id = 1 AND seq > 0", kDoing);
@@ -228,7 +228,7 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
                                         const Progress& progress, const std::string& stationKey)
 {
     CheckReport report;
-    // All as it was at one moment: whoever works meanwhile has written here and not yet there.
+    // Reads one consistent state: otherwise a program that writes meanwhile could have changed only some of the tables.
     if (auto begun = execute(db, dialect::beginRead(db), kDoing); !begun)
         return tl::unexpected(begun.error());
     const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "ROLLBACK", kDoing)); });
@@ -243,7 +243,7 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
         [&] { return checkRecordings(db, report, progress); },
     };
     for (const auto& look : looks) {
-        // Much of one kind hides nothing of another.
+        // Each check has its own limit, so that many findings of one check do not hide those of the next.
         report.mostFindings = report.findings.size() + kMostFindings;
         const core::Status done = look();
         if (!done &&

@@ -18,7 +18,7 @@ const std::string kListClasses = "list the classes";
 const std::string kChange = "change the class";
 constexpr qsizetype kLongestName = 100;
 
-/// Returns the SQL condition that limits a query over classes, as c, to the reach of a session.
+/// Returns the SQL condition that limits a query over classes c to those that the user may access.
 QString within(const AuthorizedUser& who)
 {
     return who.reach == Reach::All ? QString()
@@ -63,7 +63,7 @@ core::Result<std::optional<ClassAssignment>> assignmentNow(const DatabaseContext
     return now;
 }
 
-/// Compares assignments for the class. Their numbers do not count.
+/// Returns whether two assignments of the same lesson to the same class are equal. Ids are not compared.
 bool isSame(const std::optional<ClassAssignment>& one, const std::optional<ClassAssignment>& other)
 {
     return one.has_value() == other.has_value() &&
@@ -301,7 +301,7 @@ core::Result<std::map<std::string, int>> attemptsLeft(const DatabaseContext& sch
     const auto withoutScore = countWithoutScore(school, session.person());
     if (!withoutScore)
         return tl::unexpected(withoutScore.error());
-    // A class without a limit is the most generous of all.
+    // No limit in one of the classes counts as the highest limit.
     if (auto read = forEach(school.db,
                             "SELECT a.lesson_id, MAX(a.attempt_limit), COALESCE(MAX(s.attempts), 0) FROM assignments a "
                             "JOIN enrolments e ON e.class_id = a.class_id "

@@ -25,7 +25,7 @@ struct Table
     bool hasIds;
 };
 
-/// In the order in which they refer to each other. Failed logins are not copied, and recordings are copied separately.
+/// Tables in the order of their references. Failed logins are not copied, and recordings are copied separately.
 constexpr std::array kTables{Table{"people", true},       Table{"classes", true},       Table{"enrolments", false},
                              Table{"assignments", true},  Table{"settings", false},     Table{"attempts", true},
                              Table{"exam_starts", false}, Table{"score_sheets", false}, Table{"standings", false},
@@ -82,7 +82,7 @@ core::Status copyRecordings(const DatabaseContext& from, const DatabaseContext& 
         return tl::unexpected(hashes.error());
     for (const std::string& hash : *hashes) {
         const auto bytes = recordingOf(from.db, hash);
-        // What is lost already must not hold back the rest; who copies is told.
+        // A missing recording does not stop the copy. The report has the number of missing recordings.
         if (!bytes && (bytes.error().code == ErrorCode::FileMissing || bytes.error().code == ErrorCode::BadStructure)) {
             ++report.recordingsMissing;
             continue;
@@ -120,7 +120,7 @@ core::Status expectEmpty(const QSqlDatabase& to)
         return tl::unexpected(version.error());
     if (*version == 0)
         return {};
-    // Whatever is entered is noted there.
+    // Every change adds an audit row, so an empty audit means an empty database.
     const auto row = ask(to, QStringLiteral("SELECT 1 FROM audit LIMIT 1"), "look into it");
     if (!row)
         return tl::unexpected(row.error());
@@ -130,8 +130,8 @@ core::Status expectEmpty(const QSqlDatabase& to)
                             "database " + dialect::nameOf(to) + ": it holds a school already; copy into an empty one");
 }
 
-/// Makes the schema inside the transaction that copies. Another program that copies into it has to wait, and then finds
-/// it filled.
+/// Creates the schema inside the transaction of the copy. Another program that copies into the same database has to
+/// wait, and then finds that it is not empty.
 core::Status makeSchema(const QSqlDatabase& to)
 {
     const auto steps = shippedMigrations();
@@ -140,7 +140,7 @@ core::Status makeSchema(const QSqlDatabase& to)
     if (auto made = applyAll(to, *steps); !made)
         return made;
     if (dialect::isPostgres(to))
-        // Who makes a schema may not pause; who reads what is copied there does.
+        // applyAll() limits pauses in the transaction, but the copy pauses while it reads the source.
         for (const char* sql :
              {"SET LOCAL idle_in_transaction_session_timeout = DEFAULT", "LOCK TABLE people IN EXCLUSIVE MODE"})
             if (auto done = execute(to, QLatin1String(sql), "make a schema"); !done)
@@ -157,13 +157,13 @@ core::Result<CopyReport> copySchool(const DatabaseContext& from, const Login& se
         return tl::unexpected(may.error());
     if (auto empty = expectEmpty(to.db); !empty)
         return tl::unexpected(empty.error());
-    // Before it is read, so that the copy tells of it too.
+    // Recorded before the copy begins, so that the copy contains the row as well.
     if (auto noted =
             inTurn(from, "note the copying", [&] { return note(from, session.uid(), "school.copy", "school"); });
         !noted)
         return tl::unexpected(noted.error());
     CopyReport report;
-    // What is read is one moment of the school, whoever writes meanwhile.
+    // Reads one consistent state, even if others write meanwhile.
     if (auto begun = execute(from.db, dialect::beginRead(from.db), "read it"); !begun)
         return tl::unexpected(begun.error());
     const auto bring = [&]() -> core::Status {
@@ -187,8 +187,8 @@ core::Result<CopyReport> copySchool(const DatabaseContext& from, const Login& se
             return copied;
         if (auto copied = copySeal(from, to); !copied)
             return copied;
-        // This computer signs what it has brought there, and knows the copy as its own from then on. By this row the
-        // copy is a school of its own, see schoolOf().
+        // Signs the audit of the copy with the key of this computer. This row also gives the copy its own identity, see
+        // schoolOf().
         return note(to, session.uid(), "school.copied", "school");
     };
     const core::Status done = inTransaction(to.db, "copy the school", bring);

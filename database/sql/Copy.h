@@ -18,10 +18,10 @@ struct CopyReport
     std::int64_t recordingsMissing = 0;  ///< missing or damaged in the source
 };
 
-/// Copies a school into an empty database of either engine, with its recordings, in one transaction that also creates
-/// the schema if there is none. Verifies the copy: the same rows in both, by a sum of their hashes, and each recording
-/// read back. If it fails, recordings written beside a file stay, and the next copy uses them. OutOfRange if the target
-/// contains a school. Noted in the audit.
+/// Copies a school with its recordings into an empty database of either engine, in one transaction. Creates the schema
+/// if there is none. Verifies that the copy has the same rows, by a sum of their hashes, and reads each recording back.
+/// Recorded in the audit. If it fails, recordings written beside a file stay, and the next copy uses them. OutOfRange
+/// if the target contains a school.
 /// @param session  of an admin of `from`
 [[nodiscard]] core::Result<CopyReport> copySchool(const DatabaseContext& from, const Login& session,
                                                   const DatabaseContext& to, const CopyProgress& progress = {});

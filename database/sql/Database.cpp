@@ -35,7 +35,7 @@ core::Error foreign(const QSqlDatabase& db)
             "database " + dialect::nameOf(db) + ": this database belongs to another program; choose another one"};
 }
 
-/// Checks which program the file belongs to and that it is whole, before it is written to.
+/// Checks, before the file is written to, that it belongs to this program and is not damaged.
 core::Status examine(const QSqlDatabase& db)
 {
     const auto application = ask(db, "PRAGMA application_id", "open it");
@@ -51,7 +51,7 @@ core::Status examine(const QSqlDatabase& db)
     const auto whole = ask(db, "PRAGMA quick_check(1)", "check it");
     if (!whole)
         return tl::unexpected(whole.error());
-    // Nothing of this program writes that, and no disk spoils a row so.
+    // This program never writes such a row, and a damaged disk does not cause this error.
     constexpr QLatin1String kRefused("CHECK constraint failed in ");
     if (const QString said = whole->toString(); said.startsWith(kRefused))
         return core::unexpected(ErrorCode::BadStructure,
@@ -66,8 +66,8 @@ core::Status examine(const QSqlDatabase& db)
     return {};
 }
 
-/// Gives read-only files beside a writable database its permissions. SQLite made them while the database was read-only,
-/// and they would keep it from being written.
+/// Gives the files beside a writable database its permissions if they are read-only. SQLite created them while the
+/// database was read-only, and they would make it read-only again.
 void freeBesides(const QString& path)
 {
     if (isReadOnly(path))
@@ -87,21 +87,21 @@ core::Status set(const QSqlDatabase& db, const QStringList& settings)
 
 core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
 {
-    // synchronous=FULL: with a write-ahead log NORMAL may lose the last commits when the power fails.
+    // synchronous=FULL, because with a write-ahead log NORMAL may lose the last commits in a power failure.
     const QStringList settings{
         fileSystem == FileSystem::Network ? "PRAGMA locking_mode = EXCLUSIVE" : "PRAGMA locking_mode = NORMAL",
         fileSystem == FileSystem::Network ? "PRAGMA journal_mode = DELETE" : "PRAGMA journal_mode = WAL",
         "PRAGMA synchronous = FULL", "PRAGMA secure_delete = ON"};
     if (auto done = set(db, settings); !done)
         return done;
-    // Of two that share it for reading, neither would ever get to write: one has it, or none.
+    // If two programs shared a read lock, neither could ever write. So one program locks the file, or opening it fails.
     if (fileSystem == FileSystem::Network)
         if (auto alone = set(db, {"BEGIN EXCLUSIVE", "COMMIT"}); !alone)
             return alone;
     if (auto done = set(db, {"PRAGMA foreign_keys = ON", "PRAGMA trusted_schema = OFF", "PRAGMA cell_size_check = ON"});
         !done)
         return done;
-    // To set it writes, and who only reads need not wait for a program that is writing.
+    // Setting the id is a write. A program that only reads must not wait for one that is writing.
     const auto application = ask(db, "PRAGMA application_id", "set it up");
     if (!application)
         return tl::unexpected(application.error());
@@ -110,20 +110,21 @@ core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
     return execute(db, QStringLiteral("PRAGMA application_id = %1").arg(dialect::kApplicationId), "set it up");
 }
 
-/// Returns whether this process may write a file, whoever started it.
+/// Returns whether this process may write a file, by its effective user.
 bool mayWrite(const QString& path)
 {
     return faccessat(AT_FDCWD, QFile::encodeName(path).constData(), W_OK, AT_EACCESS) == 0;
 }
 
-/// Returns whether the file exists, but it or its folder is read-only: SQLite would only say that it "cannot open" it.
+/// Returns whether the file exists, but it or its folder is read-only. SQLite would only report that it "cannot open"
+/// it.
 bool isWhereNothingIsKept(const QString& path)
 {
     const QFileInfo file(path);
     return file.isFile() && !(mayWrite(path) && mayWrite(file.absolutePath()));
 }
 
-/// Returns why a missing folder cannot hold a file.
+/// Returns the reason why a file cannot be created in a missing folder.
 core::Error noFolder(const QString& path)
 {
     QString above = QFileInfo(path).absolutePath();
@@ -151,9 +152,9 @@ QStringList wholeOf(const QString& file)
     return files << file;
 }
 
-/// Checks a path without SQLite, which would only say that it "cannot open" it. The file itself is not opened: closing
-/// it again would drop the locks of this program's other connections, and another program would then remove the
-/// write-ahead log under them (sqlite.org/howtocorrupt.html, 2.2).
+/// Checks a path without SQLite, which would only report that it "cannot open" it. Does not open the file itself:
+/// closing it would release the locks of this program's other connections. Another program would then remove the
+/// write-ahead log while they use it (sqlite.org/howtocorrupt.html, 2.2).
 core::Status checkPlace(const QString& path)
 {
     const QFileInfo info(path);
@@ -169,8 +170,8 @@ core::Status checkPlace(const QString& path)
                                 head(path) + "this is no file but a device or a pipe; name a file");
     if (!info.isReadable())
         return core::unexpected(ErrorCode::FileUnreadable, head(path) + "it cannot be read; check who may read it");
-    // Its -wal lies beside the name: by two names two programs would each have one, and undo what the other has written
-    // (sqlite.org/howtocorrupt.html, 2.5).
+    // The -wal file is beside the name. Two programs that open the file by two names would each use their own -wal
+    // file, and overwrite each other's changes (sqlite.org/howtocorrupt.html, 2.5).
     struct stat there
     {};
     if (stat(QFile::encodeName(path).constData(), &there) == 0 && there.st_nlink > 1)
@@ -203,9 +204,9 @@ core::Result<std::unique_ptr<Database>> Database::open(const Address& address, c
             return tl::unexpected(fit.error());
         freeBesides(address.file);
     }
-    // Names and marks of people are for who runs the place. SQLite would let everybody read them; what it puts beside
-    // the file it makes as the file is. From the first moment: who has it open reads on. Where it cannot be made SQLite
-    // says why.
+    // Creates the file for its owner only, because it will contain names and scores. SQLite would let everybody read
+    // it, and gives the files beside it the same permissions. Changing permissions later would be too late for programs
+    // that have opened it. If the file cannot be created, SQLite reports the reason.
     if (QFile file(address.file);
         options.mayCreate && !address.isServer() && !file.exists() &&
         file.open(QIODevice::WriteOnly | QIODevice::NewOnly, QFile::ReadOwner | QFile::WriteOwner))
@@ -245,7 +246,7 @@ core::Status Database::connect()
         db.setPassword(m_address.password);
         if (m_address.port > 0)
             db.setPort(m_address.port);
-        // A cable that is pulled is noticed within some ten seconds, instead of two hours.
+        // Detects a lost connection within about ten seconds instead of two hours.
         db.setConnectOptions(QStringLiteral("connect_timeout=%1;keepalives_idle=5;keepalives_interval=2;"
                                             "keepalives_count=3;tcp_user_timeout=10000;application_name=cusp%2")
                                  .arg(kConnectTimeoutS)
@@ -304,7 +305,7 @@ core::Status Database::prepareFileOn(FileSystem fileSystem)
     const auto version = dialect::schemaVersion(db);
     if (!version)
         return tl::unexpected(version.error());
-    // A file from the future is refused before its settings are touched.
+    // The settings of a database from a newer program must not be changed.
     if (*version > static_cast<int>(steps->size()))
         return {};
     return configure(db, fileSystem);
@@ -322,7 +323,7 @@ core::Status Database::prepareServer()
                                     letters->toString().toStdString() +
                                     ", which has not all letters; create it with \"createdb --encoding=UTF8 "
                                     "--template=template0\"");
-    // In this order: another program may just be making a school there.
+    // The tables are counted before the version is read, because another program may be creating the schema.
     const auto tables = dialect::countTables(db);
     if (!tables)
         return tl::unexpected(tables.error());
@@ -363,7 +364,7 @@ core::Status Database::bringToNewest(const Options& options)
         saved = *made;
     }
     auto done = migrate(db, *steps);
-    // Of what stayed as it was no copy is needed; each new trial would leave one.
+    // If nothing was migrated, the backup is not needed. Otherwise each new trial would leave one.
     if (!done && !saved.isEmpty() && dialect::schemaVersion(db).value_or(0) == *version)
         QFile::remove(saved);
     return done;
@@ -379,10 +380,10 @@ core::Status Database::reconnect()
         return {};
     if (auto pinned = dialect::pinSearchPath(db); !pinned)
         return pinned;
-    // Who waits for a lock longer than this is told, as SQLite does. And the server, too, notices within some ten
-    // seconds that a cable was pulled, and gives back what the station had locked; on a socket that says nothing. What
-    // it confirms is on its disk: a letter is thrown away then. What it says besides answers would stand among our
-    // sentences.
+    // Waiting for a lock ends with an error after this time, as in SQLite. With the keep-alive settings the server
+    // detects a lost connection within about ten seconds, and releases the locks of the station; they have no effect on
+    // a local socket. The outbox removes a file after the commit, so commits must be synchronous. Notices of the server
+    // would be mixed with the sentences of Cusp.
     return execute(db,
                    QStringLiteral("SELECT set_config('lock_timeout', '%1', false), "
                                   "set_config('client_min_messages', 'error', false), "

@@ -18,14 +18,15 @@ namespace database::sql {
 
 /// Suffixes of the files that SQLite creates beside a database.
 inline constexpr std::array kBeside{"-journal", "-wal", "-shm"};
-/// Returns the paths of those files and then the database itself, so that they are never left without it.
+/// Returns the paths of those files, then of the database itself. Moving or removing them in this order never leaves
+/// them without the database.
 [[nodiscard]] QStringList wholeOf(const QString& file);
 
-/// Checks whether a database can be at a path: a readable file, or no file in an existing folder. Errors, one sentence
-/// each: a folder, a pipe, a device, a file with several hard links. Does not open the file.
+/// Checks whether a database can be at a path: a readable file, or no file in an existing folder. Returns an error of
+/// one sentence for a folder, a pipe, a device, or a file with several hard links. Does not open the file.
 [[nodiscard]] core::Status checkPlace(const QString& path);
 
-/// Returns whether the file exists and the user of the program may not write it.
+/// Returns whether the file exists and this process may not write it.
 [[nodiscard]] bool isReadOnly(const QString& file);
 
 /// An open SQLite file or PostgreSQL database with the newest schema. Belongs to the thread that opened it; close it
@@ -50,10 +51,10 @@ public:
     };
 
     /// Opens a database, or creates it if there is none. SQLite: write-ahead log, full sync at each commit, foreign
-    /// keys on, the file checked first, a verified backup before its schema changes; on a network drive one program at
-    /// a time, see notice(). Errors, one sentence each, without any change: a folder, a file that is no database or
-    /// belongs to another program, a damaged one, one from a newer program, a place that cannot be written, a server
-    /// that does not respond.
+    /// keys on. The file is checked first, and backed up before its schema changes. On a network drive only one program
+    /// at a time can open it, see notice(). Each error is one sentence and changes nothing: a folder, a file that is no
+    /// database or belongs to another program, a damaged file, a database of a newer program, a location that cannot be
+    /// written, a server that does not respond.
     [[nodiscard]] static core::Result<std::unique_ptr<Database>> open(const Address& address, const Options& options);
     [[nodiscard]] static core::Result<std::unique_ptr<Database>> open(const Address& address);
     /// @param where  as for Address::parse()
@@ -68,15 +69,15 @@ public:
     [[nodiscard]] const Address& address() const { return m_address; }
     /// Returns one sentence for the administrator, such as that the file is on a network drive; empty: none.
     [[nodiscard]] const std::string& notice() const { return m_notice; }
-    /// Returns false on a network drive: this connection excludes all others, also of this program.
+    /// Returns false on a network drive, where this connection excludes all others, also those of this program.
     [[nodiscard]] bool allowsOthers() const { return m_allowsOthers; }
 
-    /// For a file: checks that the open file still has its name. Writing to one that was moved or removed would be
-    /// lost. core::ErrorCode::FileMissing: there is no file of that name; core::ErrorCode::WrongKind: there is another
-    /// one.
+    /// For a file: checks that the path still refers to the open file, because data written to a moved or removed file
+    /// would be lost. core::ErrorCode::FileMissing: there is no file at the path. core::ErrorCode::WrongKind: there is
+    /// another file.
     [[nodiscard]] core::Status stillThere() const;
 
-    /// For a server: returns whether it responds on this connection; a server that was restarted does not.
+    /// For a server: returns whether it responds on this connection. After a restart of the server, it does not.
     [[nodiscard]] bool answers() const;
 
     /// Connects again after core::ErrorCode::ConnectionLost. An open transaction is lost.

@@ -24,7 +24,7 @@ core::Status within(const DatabaseContext& school, const QString& question, cons
     return {};
 }
 
-/// Fails if a teacher would mark their own work, or if the score of anyone but a student would be overridden.
+/// Fails if a teacher would grade their own attempt, or override the score of a person who is no student.
 core::Status expectToMark(const DatabaseContext& school, const Login& session, Operation operation, PersonId owner)
 {
     if (operation != Operation::Comment && operation != Operation::Override)
@@ -42,7 +42,7 @@ core::Status expectToMark(const DatabaseContext& school, const Login& session, O
     return {};
 }
 
-/// Returns the time since boot. It continues while the computer sleeps, and cannot be set.
+/// Returns the time since boot. It includes time in standby, and no user can set it.
 qint64 msSinceBoot()
 {
     timespec since{};
@@ -71,7 +71,7 @@ std::function<QDateTime()> clockOf(const QSqlDatabase& db)
 
 core::Status checkClock(const QDateTime& nowUtc)
 {
-    constexpr int kLastYear = 9999;  // of four digits
+    constexpr int kLastYear = 9999;  // the largest with four digits
     const int year = nowUtc.date().year();
     if (year >= 1 && year <= kLastYear)
         return {};
@@ -88,7 +88,7 @@ core::Result<AuthorizedUser> authorize(const DatabaseContext& school, const Logi
                 {QVariant::fromValue<qlonglong>(session.person().value), text(session.uid())});
         if (!row)
             return tl::unexpected(row.error());
-        // Nobody is ever taken out of a school: it is another in the same place.
+        // People are never deleted, so the database at this location is another one now.
         if (!row->next())
             return core::unexpected(core::ErrorCode::OtherSchool, "this school does not know who asks; log in again");
         if (row->value(1).toInt() != 0)

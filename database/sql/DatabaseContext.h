@@ -26,11 +26,11 @@ struct DatabaseContext
     [[nodiscard]] std::string now() const;
 };
 
-/// Returns a clock that follows the server's, read once: a station with a wrong clock must not lock a name out or
-/// extend a code. For a file, or if the server gives no time, this computer's clock.
+/// Returns a clock that is set by the server's clock once: a wrong clock of a station must not block logins or extend
+/// the validity of a code. For a file, or if the server returns no time, it is this computer's clock.
 [[nodiscard]] std::function<QDateTime()> clockOf(const QSqlDatabase& db);
 
-/// Checks a time. OutOfRange if it cannot be stored because the clock is wrong by thousands of years.
+/// Checks a time. OutOfRange if it cannot be stored because the clock is thousands of years off.
 [[nodiscard]] core::Status checkClock(const QDateTime& nowUtc);
 
 /// A person's permission for an operation.
@@ -40,12 +40,12 @@ struct AuthorizedUser
     Reach reach = Reach::Nothing;
 };
 
-/// Checks whether the user may perform an operation, by the user's current role. NotAllowed if not, or if the account
-/// is disabled. The caller must check whose data it accesses against the reach.
+/// Checks whether the user's current role permits an operation. NotAllowed if it does not, Disabled for a disabled
+/// account. The caller must compare the owner of the data with the returned reach.
 [[nodiscard]] core::Result<AuthorizedUser> authorize(const DatabaseContext& school, const Login& session,
                                                      Operation operation);
 
-/// Like authorize(), for data of one person. Grading one's own attempts is not allowed.
+/// Like authorize(), for data of one person. Does not allow instructors to grade their own attempts.
 [[nodiscard]] core::Result<AuthorizedUser> authorizeFor(const DatabaseContext& school, const Login& session,
                                                         Operation operation, PersonId owner);
 /// Like authorize(), for data of one class.

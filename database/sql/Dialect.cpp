@@ -15,7 +15,7 @@ namespace {
 
 using core::ErrorCode;
 
-// Primary result codes of SQLite (sqlite.org/rescode.html); the bits above the lowest eight only refine them.
+// Primary result codes of SQLite (sqlite.org/rescode.html). They are in the lowest eight bits.
 constexpr int kBusy = 5;
 constexpr int kLocked = 6;
 constexpr int kReadOnly = 8;
@@ -29,17 +29,17 @@ constexpr int kNoRoomForShm = 4874;  // SQLITE_IOERR_SHMSIZE
 
 const std::string kNumber = "go on with its numbers";
 
-/// A number that hardly any other program locks: "CUSP".
+/// Number of the lock for migrations, "CUSP": unlikely to be used by any other program.
 constexpr int kSchemaLock = kApplicationId;
 
 core::Error sqliteError(const std::string& head, const QSqlError& error)
 {
-    // What Qt puts behind it says nothing more.
+    // Qt adds texts without information.
     QString words = error.databaseText();
     words.remove(QStringLiteral("Unable to execute statement")).remove(QStringLiteral("Unable to fetch row"));
     const std::string said = words.simplified().toStdString();
     const int code = error.nativeErrorCode().toInt();
-    // The last byte of a disk: the file that all share (sqlite.org/rescode.html, 4874) finds no room.
+    // The disk is full: SQLite cannot extend the shared-memory file (sqlite.org/rescode.html, 4874).
     if (code == kNoRoomForShm)
         return {ErrorCode::FileUnwritable, head + "the disk is full; free some space and try again"};
     switch (code & 0xFF) {
@@ -70,11 +70,11 @@ core::Error sqliteError(const std::string& head, const QSqlError& error)
     }
 }
 
-/// Returns the error for a code of appendix A of PostgreSQL's manual: two digits for the class, three for the case.
+/// Returns the error for a code of PostgreSQL's manual, appendix A: two characters for the class, three for the case.
 core::Error postgresError(const std::string& head, const QSqlError& error, bool isOpen)
 {
     const QString code = error.nativeErrorCode();
-    // Qt writes the code behind it.
+    // Qt appends the code to the text.
     QString words = error.databaseText().simplified();
     if (const QString end = '(' + code + ')'; words.endsWith(end))
         words.chop(end.size());
@@ -98,13 +98,13 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
         (said.find("too many c") != std::string::npos || said.find("connection slots") != std::string::npos))
         return {ErrorCode::ServerRefuses, head + "the server has no connection left (" + said +
                                               "); try again in a moment, or let its administrator allow more"};
-    // It answered, and said no. To who is connected already it says only that it stops.
+    // The server has refused the connection. On an existing connection, it only reports that it terminates.
     if (isConnecting && said.find("FATAL") != std::string::npos &&
         said.find("terminating connection") == std::string::npos)
         return {ErrorCode::ServerRefuses,
                 head + "the server refuses the connection (" + said + "); let its administrator allow it"};
-    // Without a code it is libpq that speaks, not the server: the connection is gone or never was. 25P03: this station
-    // paused too long in a transaction.
+    // An error without a code comes from libpq, not from the server: the connection is lost or was never made. 25P03:
+    // this station was idle for too long in a transaction.
     if (code.isEmpty() || is("08") || is("57P") || is("25P03") || !isOpen)
         return {ErrorCode::ConnectionLost, head + "the server does not answer" +
                                                (isConnecting && !said.empty() ? " (" + said + ")" : std::string()) +
@@ -117,7 +117,7 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
     if (is("53"))
         return {ErrorCode::ServerRefuses,
                 head + "the server has no room left (" + said + "); free some disk there and try again"};
-    // The server's administrator cancelled the query, or a time limit did.
+    // The administrator of the server, or a time limit, has cancelled the query.
     if (is("57014"))
         return {ErrorCode::Busy,
                 head + "the server has stopped it (" + said + "); try again, or let its administrator allow more time"};
@@ -130,7 +130,7 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
             head + "the server answered: " + said + "; let the server's administrator look at it"};
 }
 
-/// Returns the SQL of triggers that make an UPDATE, a DELETE and a TRUNCATE fail.
+/// Returns the SQL of triggers that make UPDATE, DELETE and TRUNCATE fail.
 QString appendOnly(bool postgres, const QString& table)
 {
     if (!postgres)
@@ -148,13 +148,13 @@ QString appendOnly(bool postgres, const QString& table)
         .arg(table);
 }
 
-/// Returns a statement that takes a lock until the transaction ends. Stations wait for it in turn, unlike for the lock
-/// of a row. A station that stops in the middle (a closed laptop) loses the lock and its connection before the others
-/// give up.
+/// Returns a statement that takes a lock until the transaction ends. Unlike with a row lock, stations get it in the
+/// order in which they asked. A station that stops while it has the lock (a closed laptop) loses the lock and its
+/// connection before the others time out.
 QString lockAsProgram(const QSqlDatabase& db, const QString& lock)
 {
     constexpr int kLongestPauseMs = 3000;
-    // One statement: of several Qt tells the fault of the first alone.
+    // One statement, because Qt reports only the error of the first of several.
     return isPostgres(db) ? QStringLiteral("DO $$ BEGIN PERFORM set_config('idle_in_transaction_session_timeout', "
                                            "'%1', true); %2; END $$")
                                 .arg(kLongestPauseMs)
@@ -162,8 +162,8 @@ QString lockAsProgram(const QSqlDatabase& db, const QString& lock)
                           : QString();
 }
 
-/// Returns a statement that locks a table but lets others read and write it. A lock on a number could be taken by
-/// anyone who may connect; a table cannot be locked by those who may only read.
+/// Returns a statement that locks a table but lets others read and write it. Anyone who may connect could take a lock
+/// on a number, but users with read permission only cannot lock a table.
 QString lockTable(const char* table)
 {
     return QStringLiteral("LOCK TABLE %1 IN SHARE UPDATE EXCLUSIVE MODE").arg(QLatin1String(table));
@@ -179,7 +179,7 @@ bool isPostgres(const QSqlDatabase& db)
 QString expand(const QSqlDatabase& db, QString sql)
 {
     const bool postgres = isPostgres(db);
-    // AUTOINCREMENT: an id is never given out twice, not even after its row was deleted.
+    // AUTOINCREMENT never assigns an id twice, not even after its row was deleted.
     sql.replace("{row_id}",
                 postgres ? "BIGINT GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY" : "INTEGER PRIMARY KEY AUTOINCREMENT")
         .replace("{int64}", postgres ? "BIGINT" : "INTEGER")
@@ -220,8 +220,8 @@ QString lockTurn(const QSqlDatabase& db)
 core::Status pinSearchPath(const QSqlDatabase& db)
 {
     const std::string doing = "set it up";
-    // Until then nothing is found by its name alone, not even what compares. First of all comes what is the server's
-    // own, unless it is named at another place; and what is made for this connection only comes last.
+    // Until the path is set, all names and operators need their schema, even those that compare. PostgreSQL searches
+    // pg_catalog first unless the path names it; pg_temp, for temporary objects, comes last.
     if (auto pinned = execute(
             db,
             "SELECT pg_catalog.set_config('search_path', COALESCE(COALESCE((SELECT pg_catalog.quote_ident(n.nspname) "
@@ -245,7 +245,8 @@ core::Result<int> schemaVersion(const QSqlDatabase& db)
 {
     const std::string doing = "read the schema version";
     if (isPostgres(db)) {
-        // Out of the catalogue: what to_regclass() remembers may be older than what another program has just made.
+        // Reads the catalogue, because to_regclass() may return a cached result from before another program created the
+        // table.
         const auto marked =
             ask(db,
                 "SELECT 1 FROM pg_catalog.pg_class c JOIN pg_catalog.pg_namespace n ON n.oid = "

@@ -19,7 +19,7 @@ constexpr std::string_view kHead = "attempt,username,given_name,family_name,fini
                                    "view_mode,seed,preset,preset_hash,rubric_hash,lesson_hash,program,state_hash,"
                                    "recording_hash\r\n";
 
-/// Returns a whole number of parts as a decimal: 823 tenths are "82.3".
+/// Returns a number of tenths or thousandths as a decimal: 823 tenths are "82.3".
 std::string decimal(qlonglong parts, int digits)
 {
     std::array<char, 32> buffer{};

@@ -9,10 +9,10 @@
 namespace database::sql {
 namespace {
 
-/// Followed by the attempt's uid: the time up to which a person has seen its feedback.
+/// Prefix of a setting, followed by the attempt's uid: the time up to which the person has seen its feedback.
 const QString kSeen = QStringLiteral("feedback.");
 
-/// Returns the SQL for comments or overrides.
+/// Returns the SQL for comments or for overrides on attempts.
 QString saidIn(const char* table, const char* when)
 {
     return QStringLiteral("SELECT a.id, a.uid, a.lesson_id, TRIM(p.given_name || ' ' || p.family_name) AS author, t.%2 "

@@ -8,12 +8,12 @@
 
 namespace database::sql {
 
-/// Returns the attempts of a person with feedback of others, a comment or another score, the newest feedback first, and
+/// Returns the attempts of a person with feedback of others (a comment or an override), newest feedback first, and
 /// whether that person has seen it.
 [[nodiscard]] core::Result<std::vector<Feedback>> feedbackFor(const DatabaseContext& school, const Login& session,
                                                               PersonId person);
 
-/// Notes that the user has seen the feedback on an attempt.
+/// Records that the user has seen the feedback on an attempt.
 [[nodiscard]] core::Status seeFeedback(const DatabaseContext& school, const Login& session,
                                        const AttemptRecord& attempt);
 

@@ -22,11 +22,11 @@ const std::string kLogIn = "log in";
 const std::string kSetPassword = "set the password";
 const QString kPasses = QStringLiteral("password.passes");
 const QString kMemory = QStringLiteral("password.memory");
-/// Setting with the hash of a password that nobody knows.
+/// Setting with the hash of a random password, which no person has.
 const QString kDecoy = QStringLiteral("password.decoy");
 constexpr int kMostDoublings = 20;
 
-/// Data of a name that is being tried.
+/// The stored login data of a name.
 struct Account
 {
     std::optional<Person> person;
@@ -53,29 +53,29 @@ core::Error tooSoon(std::chrono::milliseconds wait)
                                     (seconds == 1 ? " second" : " seconds") + " and try again"};
 }
 
-/// Returns the key of the row that exists beside a name's failures while a try is compared.
+/// Returns the key of a second row for a name, which exists while a login attempt is being compared.
 QVariant tryOf(const std::string& hash)
 {
     return text("try:" + hash);
 }
 
-/// State of the tries of a name.
+/// The state of the login attempts of a name.
 struct Tries
 {
-    std::chrono::milliseconds wait{0};  ///< until the next
-    bool isCompared = false;            ///< one is being compared just now, and may turn out right
-    bool isAhead = false;               ///< one was counted by a clock that was ahead of this one
+    std::chrono::milliseconds wait{0};  ///< time until the next attempt is allowed
+    bool isCompared = false;            ///< an attempt is being compared now, and may succeed
+    bool isAhead = false;               ///< an attempt was counted by a clock that was ahead of this one
 };
 
 core::Result<Tries> triesOf(const DatabaseContext& school, const std::string& hash)
 {
-    // One that a station has left half-way is soon no longer waited for.
+    // If a station stops during a comparison, the others do not wait for it any longer than this.
     constexpr std::chrono::milliseconds kLongestTry = std::chrono::seconds(5);
     Tries tries;
     const auto read =
         forEach(school.db, "SELECT name_hash, failures, last_ms FROM failed_logins WHERE name_hash IN (?, ?)", kLogIn,
                 {text(hash), tryOf(hash)}, [&](const QSqlQuery& row) {
-                    // If the clock was put back, a person must neither be locked out for long nor be let in at once.
+                    // If the clock was set back, a person must neither be locked out for long nor be admitted at once.
                     const qlonglong goneMs = nowMs(school) - row.value(2).toLongLong();
                     tries.isAhead = tries.isAhead || goneMs < 0;
                     const std::chrono::milliseconds gone(std::max(0LL, goneMs));
@@ -95,8 +95,8 @@ core::Result<Tries> triesOf(const DatabaseContext& school, const std::string& ha
     return tries;
 }
 
-/// Sets counts of a clock that was ahead to the present. Otherwise the wait would begin anew at each check until that
-/// time.
+/// Changes times in the future, from a clock that was ahead, to the present. Otherwise each check would restart the
+/// wait until that time has passed.
 core::Status bringBack(const DatabaseContext& school, const std::string& hash)
 {
     const qlonglong now = nowMs(school);
@@ -112,8 +112,8 @@ core::Status countTry(const DatabaseContext& school, const QVariant& name)
                    kLogIn, {name, nowMs(school)});
 }
 
-/// Counts a try as a failure before the comparison, so that many tries at once give no more guesses than one after the
-/// other. Returns false if the name has to wait.
+/// Counts a login attempt as a failure before its comparison, so that many attempts at once allow no more guesses than
+/// a sequence. Returns false if the name has to wait.
 core::Result<bool> reserveTry(const DatabaseContext& school, const std::string& hash)
 {
     return inTurn(school, kLogIn, [&]() -> core::Result<bool> {
@@ -122,8 +122,8 @@ core::Result<bool> reserveTry(const DatabaseContext& school, const std::string& 
             return tl::unexpected(tries.error());
         if (tries->wait.count() > 0)
             return false;
-        // A list of guesses does not fill the disk. Where there are few, nobody is forgotten whatever the clock says:
-        // to make them many takes longer than any wait.
+        // Removes old names, so that many guessed names do not fill the disk. A small table is left alone whatever the
+        // clock says: filling it takes longer than any wait.
         const qlonglong yesterday = nowMs(school) - std::chrono::milliseconds(std::chrono::hours(24)).count();
         if (auto forgotten = execute(
                 school.db, "DELETE FROM failed_logins WHERE last_ms < ? AND (SELECT COUNT(*) FROM failed_logins) > ?",
@@ -137,7 +137,8 @@ core::Result<bool> reserveTry(const DatabaseContext& school, const std::string& 
     });
 }
 
-/// Waits while other tries for the same name are being compared. So many logins in parallel guess no faster than one.
+/// Waits while other attempts for the same name are being compared. So parallel logins guess no faster than sequential
+/// ones.
 core::Status beginTry(const DatabaseContext& school, const std::string& hash)
 {
     constexpr int kMostLooks = 100;
@@ -163,7 +164,7 @@ core::Status beginTry(const DatabaseContext& school, const std::string& hash)
     return tl::unexpected(tooSoon(std::chrono::seconds(1)));
 }
 
-/// Deletes the failures of a name, inside the transaction that follows a right password or code.
+/// Deletes the failures of a name. Call it inside the transaction that follows a correct password or code.
 core::Status forgive(const DatabaseContext& school, const std::string& hash)
 {
     return execute(school.db, "DELETE FROM failed_logins WHERE name_hash IN (?, ?)", kLogIn, {text(hash), tryOf(hash)});
@@ -174,7 +175,7 @@ core::Status endTry(const DatabaseContext& school, const std::string& hash)
     return execute(school.db, "DELETE FROM failed_logins WHERE name_hash = ?", kLogIn, {tryOf(hash)});
 }
 
-/// Ends a failed try, which is counted already.
+/// Ends a failed attempt, which reserveTry() has counted already.
 core::Status noteFailure(const DatabaseContext& school, const std::string& hash)
 {
     return inTurn(school, kLogIn, [&]() -> core::Status {
@@ -184,7 +185,7 @@ core::Status noteFailure(const DatabaseContext& school, const std::string& hash)
     });
 }
 
-/// Takes a try back that could not be compared: it is no failure.
+/// Uncounts an attempt that could not be compared, because it is no failure.
 core::Status takeBack(const DatabaseContext& school, const std::string& hash)
 {
     return inTurn(school, kLogIn, [&]() -> core::Status {
@@ -221,15 +222,15 @@ core::Result<Account> accountOf(const DatabaseContext& school, const std::string
     return account;
 }
 
-/// Returns whether a text is three groups of four letters or digits with `by`, a regular expression, between them.
-/// People type a code from a slip with hyphens, with spaces, or without either.
+/// Returns whether a text is three groups of four letters or digits, separated by `by`, a regular expression. People
+/// type a code with hyphens, with spaces or without either.
 bool isCodeParted(const std::string& typed, const char* by)
 {
     const QRegularExpression code(QStringLiteral("^([0-9A-Za-z]{4})%1([0-9A-Za-z]{4})%1([0-9A-Za-z]{4})$").arg(by));
     return code.match(QString::fromStdString(typed).trimmed()).hasMatch();
 }
 
-/// Returns whether a text looks like a code. No password does.
+/// Returns whether a text looks like a code. New passwords that do are refused.
 bool looksLikeCode(const std::string& typed)
 {
     return isCodeParted(typed, "[-\u2010-\u2014 ]+");
@@ -245,9 +246,9 @@ std::string codeOf(const std::string& typed)
     return code.toStdString();
 }
 
-/// Returns the password hash to compare with when the name is unknown or has no password. It is the hash of another
-/// person, and stays the same for a name until people are added or removed. So a try takes as long as for a known name,
-/// even while some hashes still have the lower cost of an older computer.
+/// Returns the password hash to compare with if the name is unknown or has no password. It is the hash of another
+/// person, and stays the same for a name until people are added or removed. So a login takes as long as for a known
+/// name, even while some hashes still have the lower cost of an older computer.
 core::Result<std::string> otherPassword(const DatabaseContext& school, const std::string& nameHash)
 {
     constexpr const char* kHaving = "FROM people WHERE password_hash <> ''";
@@ -258,7 +259,7 @@ core::Result<std::string> otherPassword(const DatabaseContext& school, const std
         return tl::unexpected(decoy ? count.error() : decoy.error());
     if (count->toLongLong() == 0)
         return decoy->toString().toStdString();
-    // Whose it is can be told by nobody who does not know the decoy.
+    // The choice is unpredictable without the decoy, which is secret.
     const std::string draw = digestOf(decoy->toString().toStdString() + nameHash).substr(0, kHexDigits);
     const auto other =
         ask(school.db, QStringLiteral("SELECT password_hash %1 ORDER BY uid LIMIT 1 OFFSET ?").arg(kHaving), kLogIn,
@@ -271,7 +272,7 @@ core::Result<std::string> otherPassword(const DatabaseContext& school, const std
 enum class Secret { Password, Code, Either };
 
 /// Compares a secret with the account of a name. A password is compared exactly once, whether or not the account
-/// exists. A code is always compared quickly.
+/// exists, so that the time reveals nothing. Comparing a code is always fast.
 /// @param hash  of the name
 /// @return empty if the secret is wrong or the person is disabled
 core::Result<std::optional<Account>> compare(const DatabaseContext& school, const std::string& username,
@@ -302,7 +303,7 @@ core::Result<std::optional<Account>> compare(const DatabaseContext& school, cons
     return std::optional(std::move(*account));
 }
 
-/// Returns the account for a right secret. What the caller does next has to forgive() the failures, in its transaction.
+/// Returns the account if the secret is correct. The caller has to call forgive() in its next transaction.
 core::Result<Account> tryAccount(const DatabaseContext& school, const std::string& username, const std::string& secret,
                                  Secret kind)
 {
@@ -311,7 +312,7 @@ core::Result<Account> tryAccount(const DatabaseContext& school, const std::strin
         return tl::unexpected(begun.error());
     auto account = compare(school, username, hash, secret, kind);
     if (!account) {
-        static_cast<void>(takeBack(school, hash));  // why it could not be compared is the one to tell
+        static_cast<void>(takeBack(school, hash));  // the error of the comparison is more important
         return tl::unexpected(account.error());
     }
     if (!*account) {
@@ -322,7 +323,7 @@ core::Result<Account> tryAccount(const DatabaseContext& school, const std::strin
     return std::move(**account);
 }
 
-/// Hashes a password. It takes a fraction of a second, so it must not run while others wait.
+/// Hashes a password. Takes a fraction of a second, so do not call it in a transaction that others wait for.
 core::Result<std::string> hashFor(const DatabaseContext& school, const std::string& password)
 {
     const auto cost = passwordCost(school);
@@ -337,7 +338,7 @@ core::Status setPassword(const DatabaseContext& school, const Person& person, co
                    kSetPassword, {text(hash), number(person.id.value)});
 }
 
-/// Replaces a password hash by one of a higher cost, unless an admin has just removed the password.
+/// Replaces a password hash with one of a higher cost, unless an admin has removed the password meanwhile.
 core::Status keepDearer(const DatabaseContext& school, const Person& person, const std::string& before,
                         const std::string& hash)
 {
@@ -349,7 +350,7 @@ core::Status keepDearer(const DatabaseContext& school, const Person& person, con
     return raised->isNull() ? core::Status() : noteLogin(school, person.uid, "password.rehash", person.uid);
 }
 
-/// Fails if another station or an admin has changed the secret meanwhile.
+/// Fails if another station or an admin has changed the secret since it was compared.
 core::Status expectStill(const DatabaseContext& school, const Person& person, const char* column,
                          const std::string& hash)
 {
@@ -365,7 +366,7 @@ core::Status expectStill(const DatabaseContext& school, const Person& person, co
     return {};
 }
 
-/// Saves the cost of passwords from now on, and the decoy hash of that cost.
+/// Stores the cost of new password hashes, and a decoy hash of that cost.
 core::Status keepCost(const DatabaseContext& school, const std::string& actor, const PasswordCost& cost,
                       const std::string& decoy)
 {
@@ -392,7 +393,7 @@ core::Result<PasswordCost> passwordCost(const DatabaseContext& school)
         if (const qulonglong value = kept->toString().toULongLong(); value > 0)
             take(cost, value);
     }
-    // Who may write the database must not make everybody's password cheap to guess, nor every login endless.
+    // A person with write access to the database must not be able to make hashes cheap to guess, or logins endless.
     cost.passes = std::clamp(cost.passes, school.leastCost.passes, kMostPasses);
     cost.memoryBytes = std::clamp(cost.memoryBytes, school.leastCost.memoryBytes, kMostMemoryBytes);
     return cost;
@@ -407,7 +408,7 @@ core::Status raisePasswordCost(const DatabaseContext& school, const Login& sessi
         return tl::unexpected(present.error());
     if (cost.passes < 2 * present->passes || cost.memoryBytes < present->memoryBytes)
         return {};
-    // Who is compared with nobody's password shall wait as long.
+    // Comparing with the decoy has to take as long as with a real hash.
     const auto decoy = hashPassword(newUid(), cost);
     if (!decoy)
         return tl::unexpected(decoy.error());
@@ -450,7 +451,7 @@ core::Result<Login> Logins::createFirstAdmin(const DatabaseContext& school, cons
                                     "there are people here already; log in as an admin to enter more");
         NewPerson admin = who;
         admin.role = Role::Admin;
-        // First: the first row of the audit tells schools apart.
+        // The person is created before keepCost(): the first row of the audit identifies the school.
         AuditBatch audit(school);
         if (auto person = enter(school, audit, "system", admin, {*hash, {}}); !person)
             return tl::unexpected(person.error());
@@ -466,7 +467,7 @@ core::Result<Login> Logins::createFirstAdmin(const DatabaseContext& school, cons
 core::Result<Login> Logins::login(const DatabaseContext& school, const std::string& username,
                                   const std::string& password)
 {
-    // A password may be twelve letters, too.
+    // A password may also be twelve letters without separators.
     const Secret kind = looksLikeCode(password)      ? Secret::Code
                         : isCodeParted(password, "") ? Secret::Either
                                                      : Secret::Password;
@@ -522,7 +523,7 @@ core::Result<Login> Logins::redeem(const DatabaseContext& school, const std::str
     if (!hash)
         return tl::unexpected(hash.error());
     auto set = inTurn(school, kSetPassword, [&]() -> core::Status {
-        // Two stations at once: the code is good for one of them.
+        // If two stations redeem the code at once, only one succeeds.
         if (auto still = expectStill(school, *account->person, "reset_hash", account->codeHash); !still)
             return still;
         if (auto done = setPassword(school, *account->person, *hash); !done)

@@ -10,33 +10,33 @@
 
 namespace database::sql {
 
-/// Authentication. Most calls hash a password: do not call them on the ui thread. A class, because only it may create a
-/// Login.
+/// Authentication. Most functions hash a password: do not call them in the ui thread. It is a class because only a
+/// friend of Login may create one.
 class Logins
 {
 public:
-    /// Number of failures without a delay. After more failures in a row the next attempt has to wait one second, then
-    /// two, four, up to kLongestWait.
+    /// Number of failures without a delay. After more failures in a row, the next attempt has to wait one second, then
+    /// two, four and so on, up to kLongestWait.
     static constexpr int kFreeFailures = 3;
     static constexpr std::chrono::seconds kLongestWait = std::chrono::minutes(15);
-    /// Number of names with failed logins beyond which those are removed that have not been tried for a day.
+    /// If more names than this have failed logins, those that have not been tried for a day are removed.
     static constexpr int kMostFailedNames = 10'000;
     /// Validity of a one-time code.
     static constexpr std::chrono::hours kCodeLife = std::chrono::hours(72);
 
-    /// Whether the school has no people yet: the first user creates the account of the admin.
+    /// Returns whether the database has no people yet. The first user then creates the account of the admin.
     [[nodiscard]] static core::Result<bool> isNew(const DatabaseContext& school);
 
-    /// Checks a new password: checkPassword(), and that it does not look like a one-time code.
+    /// Checks a new password by checkPassword(), and that it does not look like a one-time code.
     [[nodiscard]] static core::Status checkNewPassword(const std::string& password, const std::string& username);
 
-    /// Enters the first person, an admin, and stores the cost of passwords. NotAllowed if there is already a person.
+    /// Creates the first person, an admin, and stores the cost of passwords. NotAllowed if there is a person already.
     [[nodiscard]] static core::Result<Login> createFirstAdmin(const DatabaseContext& school, const NewPerson& who,
                                                               const std::string& password, const PasswordCost& cost);
 
-    /// Logs a person in. WrongLogin, with the same text and after the same time: unknown name, wrong password, disabled
-    /// account. TooSoon: after failures, also by others at the same time. NewPassword: a valid one-time code, for
-    /// redeem().
+    /// Logs a person in. WrongLogin: unknown name, wrong password or disabled account, always with the same text and
+    /// after the same time. TooSoon: the name has to wait after failures, also those on other stations at the same
+    /// time. NewPassword: the password is a valid one-time code; call redeem().
     [[nodiscard]] static core::Result<Login> login(const DatabaseContext& school, const std::string& username,
                                                    const std::string& password);
 
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] static core::Result<Login> redeem(const DatabaseContext& school, const std::string& username,
                                                     const std::string& code, const std::string& newPassword);
 
-    /// Notes in the audit that a person has logged out.
+    /// Records in the audit that a person has logged out.
     [[nodiscard]] static core::Status logout(const DatabaseContext& school, const Login& session);
 
     /// Changes the user's password. WrongLogin if the current password is not `old`.
@@ -59,8 +59,8 @@ public:
 /// Returns the cost of passwords in this school, never less than DatabaseContext::leastCost.
 [[nodiscard]] core::Result<PasswordCost> passwordCost(const DatabaseContext& school);
 
-/// Raises the cost of passwords, if it at least doubles: each hash is renewed at the owner's next login. Never lowers
-/// it. Admins; computes one hash.
+/// Raises the cost of passwords, if it at least doubles. Each hash is renewed at its owner's next login. Never lowers
+/// the cost. Computes one hash. Admins.
 [[nodiscard]] core::Status raisePasswordCost(const DatabaseContext& school, const Login& session,
                                              const PasswordCost& cost);
 

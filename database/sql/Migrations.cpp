@@ -44,7 +44,7 @@ core::Status apply(const QSqlDatabase& db, const Migration& step, const std::str
     if (const QString lock = dialect::lockSchema(db, *version > 0); !lock.isEmpty())
         if (auto locked = execute(db, lock, doing); !locked)
             return locked;
-    // Another program may have migrated while we waited for the lock.
+    // Another program may have migrated the database before we got the lock.
     version = dialect::schemaVersion(db);
     if (!version)
         return tl::unexpected(version.error());

@@ -11,7 +11,7 @@
 
 namespace database::sql {
 
-/// One step of the schema: statements that end with ";" at the end of a line, never edited once released.
+/// One step of the schema: statements that end with ";" at the end of a line. Never edited after its release.
 struct Migration
 {
     int number = 0;  ///< 1, 2, 3 ...

@@ -33,7 +33,7 @@ std::string joined(std::initializer_list<std::string> values)
     return all;
 }
 
-/// Follows the audit from its first row on, and computes the expected content of each table.
+/// Replays the audit from its first row and computes the expected content of each table.
 class Noted
 {
 public:
@@ -56,7 +56,7 @@ private:
 
     std::map<std::string, Rows> m_tables;
     std::map<std::string, Standing> m_people;
-    /// By class and lesson: who gave it first, and the row.
+    /// By class and lesson: uid of the first person who assigned it, and the expected row.
     std::map<std::pair<std::string, std::string>, std::pair<std::string, std::string>> m_assignments;
 };
 
@@ -93,7 +93,7 @@ void Noted::take(const std::string& actor, const std::string& action, const std:
         m_tables["enrolments"]["person:" + word("person")].erase(joined({about}));
     } else if (action == "lesson.assign") {
         auto& [giver, row] = m_assignments[{about, word("lesson")}];
-        if (giver.empty())  // whoever changes the conditions, it stays the lesson of who gave it
+        if (giver.empty())  // the first person who assigned the lesson stays its author
             giver = actor;
         auto& lessons = m_tables["assignments"][about];
         lessons.erase(row);
@@ -114,7 +114,7 @@ void Noted::take(const std::string& actor, const std::string& action, const std:
     }
 }
 
-/// Returns the columns after the object, as stored.
+/// Returns all columns after the first (the object), as stored.
 std::string plain(const QSqlQuery& row)
 {
     std::string all;
@@ -125,7 +125,7 @@ std::string plain(const QSqlQuery& row)
 
 std::string asOpinion(const QSqlQuery& row)
 {
-    // Engines differ in what a null reads like.
+    // The engines return different values for null.
     return joined({textOf(row, 1), row.isNull(2) ? "" : textOf(row, 2), digestOfComment(valuesOf(row, 3))});
 }
 
@@ -154,7 +154,7 @@ std::string asPerson(const QSqlQuery& row)
 struct Table
 {
     const char* name;
-    const char* sql;  ///< first what a row is about, as the audit calls it
+    const char* sql;  ///< the first column is the object, as named in the audit
     std::string (*valueOf)(const QSqlQuery& row);
 };
 constexpr Table kTables[]{

@@ -10,8 +10,8 @@
 
 namespace database::sql {
 
-/// Compares tables with the audit's notes on their rows: overrides and given scores, comments, people with their
-/// logins, classes, enrolments, assignments, presets, the school's settings, exams that were begun.
+/// Compares tables with the rows of the audit: overrides, comments, people and their login data, classes, enrolments,
+/// assignments, presets, the school's settings, exams that were begun.
 /// @param say  called for each row that differs
 [[nodiscard]] core::Status compareWithAudit(const QSqlDatabase& db,
                                             const std::function<void(const IntegrityIssue&)>& say);

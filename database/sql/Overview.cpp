@@ -23,7 +23,7 @@ constexpr int kRecent = 20;
 constexpr std::size_t kRecentShown = 5;
 constexpr double kMicronsPerMm = 1000.0;
 
-/// The students of a class, as people p.
+/// SQL for the students of a class, as people p.
 const QString kStudents = QStringLiteral("people p JOIN enrolments e ON e.person_id = p.id WHERE e.class_id = ? AND "
                                          "p.role = 'student'");
 
@@ -96,8 +96,7 @@ core::Status readCells(const DatabaseContext& school, ClassOverview& overview,
     return {};
 }
 
-/// Reads what else counts if a class limits the attempts at a lesson: exams without a score, and limits of other
-/// classes.
+/// Reads exams without a score and the limits of the students' other classes: both count if a class limits attempts.
 core::Status readLimits(const DatabaseContext& school, ClassOverview& overview,
                         const std::map<std::int64_t, std::size_t>& rowOf)
 {
@@ -131,7 +130,7 @@ core::Status readLimits(const DatabaseContext& school, ClassOverview& overview,
         });
 }
 
-/// Reads the last attempts of each student. Only those at the lesson tried last stay.
+/// Reads the last attempts of each student. Retains only those at the lesson that the student tried last.
 core::Status readRecent(const DatabaseContext& school, ClassOverview& overview,
                         const std::map<std::int64_t, std::size_t>& rowOf)
 {
@@ -157,7 +156,7 @@ core::Status readRecent(const DatabaseContext& school, ClassOverview& overview,
         });
 }
 
-/// Returns a quantile, interpolated between two neighbours.
+/// Returns a quantile, interpolated between two neighbouring values.
 int quantile(const std::vector<int>& sorted, double share)
 {
     const double place = share * static_cast<double>(sorted.size() - 1);
@@ -167,7 +166,7 @@ int quantile(const std::vector<int>& sorted, double share)
     return static_cast<int>(std::lround((1.0 - part) * sorted[below] + part * sorted[above]));
 }
 
-/// @param scoresOfNth  of each student's first attempt, second ...; sorted afterwards
+/// @param scoresOfNth  scores by number of the attempt (1: each student's first); sorted afterwards
 std::vector<BandPoint> curveOf(std::map<int, std::vector<int>>& scoresOfNth)
 {
     std::vector<BandPoint> curve;
@@ -208,7 +207,7 @@ LessonDifficulty difficultyOf(const std::map<std::int64_t, std::vector<std::pair
 }
 
 /// Returns the SQL condition, beginning with AND, that limits a band to attempts of classmates. A class below the
-/// minimum size adds nobody, whatever other classes its students are in. A teacher sees only their own classes.
+/// minimum size contributes no students, even if they are in other classes. Teachers get only their own classes.
 QString amongThem(const AuthorizedUser& who)
 {
     return QStringLiteral(

@@ -55,7 +55,7 @@ core::Status checkNames(const NewPerson& who)
     return {};
 }
 
-/// Fails if no other admin would be left to let people in.
+/// Fails if there is no other admin who can log in.
 core::Status expectAnotherAdmin(const DatabaseContext& school, PersonId person)
 {
     const auto other = ask(school.db,
@@ -91,7 +91,7 @@ core::Result<Person> personBy(const DatabaseContext& school, const QString& colu
     return *found;
 }
 
-/// The wanted person, except for fields that the user has not changed: those keep their value in the database.
+/// Returns the wanted person, but with the stored value of every field that the user has not changed.
 core::Result<Person> merged(const Person& wanted, const Person& before, const std::optional<Person>& asItWas)
 {
     Person person = wanted;
@@ -113,7 +113,7 @@ core::Result<Person> merged(const Person& wanted, const Person& before, const st
     return person;
 }
 
-/// Inside a transaction: stores what differs from `before`.
+/// Stores the fields that differ from `before`, inside a transaction.
 core::Status storeChange(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
                          const Person& before, const Person& person)
 {
@@ -130,7 +130,7 @@ core::Status storeChange(const DatabaseContext& school, AuditBatch& audit, const
                      number(person.id.value)});
         !changed)
         return changed;
-    // Names stay out of the audit, which cannot forget.
+    // The audit must not contain names, because its rows cannot be erased.
     QJsonObject detail;
     if (before.role != person.role)
         detail["role"] = QString::fromUtf8(roleName(person.role).data());
@@ -141,8 +141,8 @@ core::Status storeChange(const DatabaseContext& school, AuditBatch& audit, const
     return audit.note(actor, "person.change", "person:" + before.uid, detail);
 }
 
-/// Inside a transaction: puts a person into the classes that only `wanted` names, and removes them from those that only
-/// `present` names.
+/// Adds a person to the classes that only `wanted` contains, and removes them from those that only `present` contains.
+/// Inside a transaction.
 core::Status moveClasses(const DatabaseContext& school, AuditBatch& audit, const std::string& actor, PersonId person,
                          const std::vector<ClassId>& wanted, const std::vector<ClassId>& present)
 {

@@ -40,32 +40,33 @@ class AuditBatch;
 [[nodiscard]] core::Result<Person> findPerson(const DatabaseContext& school, const Login& session,
                                               const std::string& username);
 
-/// Returns the audit's digest of a person's names: it shows that they were changed, but not what they are.
+/// Returns the audit's digest of a person's names. It shows that the names were changed, without revealing them.
 [[nodiscard]] std::string digestOfNames(const Person& person);
 
-/// The stored secrets for a person's login; empty: not possible that way.
+/// The stored hashes for a person's login; an empty one means that they cannot log in that way.
 struct KeptLogin
 {
     std::string passwordHash;
     std::string codeHash;
     std::string codeUntilUtc;
 };
-/// Returns the audit's digest of those, noted at each change: it shows that they were changed, but allows no login.
+/// Returns the audit's digest of those hashes, which each change records. It shows that they were changed, but allows
+/// no login.
 [[nodiscard]] std::string digestOfLogin(const std::string& uid, const KeptLogin& kept);
 
-/// The first login of a new person: by a password, a one-time code, or not possible yet.
+/// How a new person logs in first: by a password, by a one-time code, or not yet.
 struct FirstLogin
 {
     std::string passwordHash;
     std::string code;
 };
-/// Enters a person, inside a transaction of the caller, which has checked the permission.
+/// Creates a person, inside a transaction of the caller. The caller checks the permission.
 /// @param audit  sealed by the caller
 /// @param actor  uid, for the audit
 [[nodiscard]] core::Result<Person> enter(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
                                          const NewPerson& who, const FirstLogin& login);
 
-/// Notes the current login secrets of a person, inside the transaction that has changed them.
+/// Records the digest of a person's current login data, inside the transaction that has changed them.
 [[nodiscard]] core::Status noteLogin(const DatabaseContext& school, const std::string& actor, const std::string& action,
                                      const std::string& uid);
 

@@ -40,10 +40,10 @@ core::Status writeFile(const QString& path, const QByteArray& bytes)
     const QString folder = QFileInfo(path).absolutePath();
     makeOwnFolder(QFileInfo(folder).absolutePath());
     makeOwnFolder(folder);
-    // The file is written where a link leads, and that is not the school's.
+    // QSaveFile would write to the target of a link, which does not belong to the school.
     if (QFileInfo(path).isSymLink())
         QFile::remove(path);
-    QSaveFile file(path);  // synced before it gets its name
+    QSaveFile file(path);  // syncs the content before it renames the file
     if (file.open(QIODevice::WriteOnly) && file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) &&
         file.write(bytes) == bytes.size() && file.flush() && file.commit() &&
         core::bringToDisk(folder.toStdU16String()) && core::bringToDisk((folder + "/..").toStdU16String()))

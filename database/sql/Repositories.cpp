@@ -22,7 +22,7 @@
 namespace database::sql {
 namespace {
 
-/// A repository over a connection.
+/// Base class of repositories over a connection.
 template <class Interface>
 class Over : public Interface
 {
@@ -224,7 +224,7 @@ public:
     {
         if (auto may = authorize(m_school, who, Operation::KeepBackups); !may)
             return tl::unexpected(may.error());
-        // Several stations write to a server; a file belongs to one.
+        // Several stations write to a server, but only one to a file.
         const std::string onlyStation = dialect::isPostgres(m_school.db) ? std::string() : m_school.key.publicHex();
         return checkDatabase(
             m_school.db, witnesses, [&goesOn](const char*, std::int64_t) { return !goesOn || goesOn(); }, onlyStation);

@@ -8,8 +8,8 @@
 
 namespace database::sql {
 
-/// Calls `use` with the repositories of a school over its connection. They live until this function returns. Thread:
-/// that of the connection.
+/// Calls `use` with the repositories of a school over its connection. They live until this function returns. Call it in
+/// the thread of the connection.
 void withRepositories(const DatabaseContext& school, const std::function<void(const Repositories&)>& use);
 
 }  // namespace database::sql

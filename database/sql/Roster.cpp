@@ -76,10 +76,10 @@ struct Line
     std::vector<std::string> classes;
 };
 
-/// Position of each column in the file.
+/// The position of each column in the file, by name.
 using Places = std::map<std::string, std::size_t>;
 
-/// Returns the number of letters to insert, remove or change to turn one word into another.
+/// Returns the edit distance of two words: the number of letters to insert, remove or change.
 std::size_t distance(std::string_view a, std::string_view b)
 {
     std::vector<std::size_t> row(b.size() + 1);
@@ -94,8 +94,8 @@ std::size_t distance(std::string_view a, std::string_view b)
     return row.back();
 }
 
-/// Returns the column that a name means, or else the one with the nearest spelling, unless half of the letters differ.
-/// Empty if there is none.
+/// Returns the column that a name means, otherwise the one with the nearest spelling. Empty if half of the letters or
+/// more differ.
 std::string nearestColumn(const std::string& name)
 {
     std::string words = name;
@@ -109,7 +109,7 @@ std::string nearestColumn(const std::string& name)
     return 2 * distance(name, nearest) < name.size() ? nearest : std::string();
 }
 
-/// Returns the positions of the columns. All faults of the first line are reported at once.
+/// Returns the positions of the columns. Adds all faults of the first line to `faults`.
 Places placesOf(const CsvRow& head, std::vector<RosterFault>& faults)
 {
     Places places;
@@ -248,7 +248,7 @@ core::Result<Present> presentAt(const DatabaseContext& school)
     return present;
 }
 
-/// Computes the result of a list without applying it. Sets `outcome`, and returns the lines to enter.
+/// Computes the outcome of a list without applying it. Sets `outcome`, and returns the lines to import.
 std::vector<Line> plan(const std::vector<Line>& lines, const Present& present, RosterOutcome& outcome)
 {
     std::vector<Line> wanted;
@@ -266,7 +266,7 @@ std::vector<Line> plan(const std::vector<Line>& lines, const Present& present, R
                                           Kind::OtherRole, std::string(roleName(person.role))});
                 continue;
             }
-            // What the list does not say stays.
+            // Fields that are empty in the list keep their value.
             whole.who.role = person.role;
             if (whole.who.givenName.empty())
                 whole.who.givenName = person.givenName;
@@ -307,7 +307,7 @@ core::Status rename(const DatabaseContext& school, AuditBatch& audit, const Logi
                       {{"names_digest", QString::fromStdString(digestOfNames(renamed))}});
 }
 
-/// Enters one line, and returns the code of a new person.
+/// Imports one line, and returns the code of a new person.
 core::Result<std::string> take(const DatabaseContext& school, AuditBatch& audit, const Login& session, const Line& line,
                                Present& present)
 {
@@ -338,7 +338,7 @@ core::Result<std::string> take(const DatabaseContext& school, AuditBatch& audit,
     return code;
 }
 
-/// Enters all lines inside a transaction, unless there are faults, and notes them in the audit at once.
+/// Imports all lines inside a transaction and records them in the audit. Imports none if there are faults.
 core::Status enterAll(const DatabaseContext& school, const Login& session, const std::vector<Line>& lines,
                       RosterOutcome& outcome, const RosterOutcome* asSeen)
 {
@@ -394,7 +394,7 @@ core::Result<RosterOutcome> importRoster(const DatabaseContext& school, const Lo
     for (auto row = rows->begin() + 1; row != rows->end(); ++row)
         if (auto line = reader.read(*row))
             lines.push_back(std::move(*line));
-    // A trial only looks, and holds nobody up.
+    // A dry run only reads, so it does not make others wait.
     if (dryRun || !outcome.faults.empty()) {
         const auto present = presentAt(school);
         if (!present)

@@ -15,7 +15,7 @@ void RowSum::add(const QSqlQuery& row, qsizetype columns)
 {
     QCryptographicHash hash(QCryptographicHash::Blake2b_256);
     for (int k = 0; k < columns; ++k) {
-        // Engines differ in what a null reads like.
+        // The engines return different values for null.
         const QByteArray bytes = row.isNull(k) ? QByteArray() : row.value(k).toString().toUtf8();
         hash.addData(row.isNull(k) ? QByteArray("-") : QByteArray::number(bytes.size()) + ':');
         hash.addData(bytes);

@@ -12,7 +12,7 @@ namespace {
 
 const std::string kKeep = "keep the setting";
 constexpr qsizetype kLongestValue = 16'000;
-/// Settings of logins, which are never given out.
+/// SQL pattern of the settings for logins, which are never returned.
 const QString kSecret = QStringLiteral("password.%");
 
 core::Status refuseSecret(const std::string& name)
@@ -47,7 +47,7 @@ core::Result<SettingsMap> readSettings(const DatabaseContext& school, const Logi
     if (auto who = authorize(school, session, Operation::ReadSettings); !who)
         return tl::unexpected(who.error());
     SettingsMap settings;
-    // One's own come first, and the school's replace them.
+    // The rows of the school come last, so that they replace the user's.
     if (auto read = forEach(school.db,
                             "SELECT name, value FROM settings WHERE (owner = '' OR owner = ?) AND name NOT LIKE ? "
                             "ORDER BY owner DESC",
@@ -63,7 +63,7 @@ core::Status putSetting(const DatabaseContext& school, const std::string& actor,
 {
     if (auto kept = put(school, "", name, value); !kept)
         return kept;
-    // What logins need to be kept from others is not told there, either.
+    // The audit gets only a digest of the secret settings of logins.
     const QJsonObject detail = refuseSecret(name) ? QJsonObject{{"value", QString::fromStdString(value)}}
                                                   : QJsonObject{{"digest", QString::fromStdString(digestOf(value))}};
     return note(school, actor, "setting.change", "setting:" + name, detail);
@@ -94,7 +94,7 @@ core::Result<ReplacedSetting> replaceSetting(const DatabaseContext& school, cons
             return tl::unexpected(before.error());
         replaced = {true, before->toString().toStdString()};
         if (!before->isNull() && replaced.before == value)
-            return {};  // nothing was changed, and nothing is noted
+            return {};  // nothing was changed, so the audit gets no row
         if (of && replaced.before != *of) {
             replaced.isDone = false;
             return {};

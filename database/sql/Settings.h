@@ -13,14 +13,14 @@ namespace database::sql {
 using database::ReplacedSetting;
 using database::SettingsMap;
 
-/// Returns the user's own settings and the school's, which a user cannot override.
+/// Returns the settings of the user and of the school. A user cannot override a setting of the school.
 [[nodiscard]] core::Result<SettingsMap> readSettings(const DatabaseContext& school, const Login& session);
 /// Changes a setting of the school. OutOfRange: the value has more than 16,000 characters.
 [[nodiscard]] core::Status changeSetting(const DatabaseContext& school, const Login& session, const std::string& name,
                                          const std::string& value);
 
-/// The same, and returns the value before.
-/// @param of  changes the setting only if this is its value; empty: whatever its value is
+/// Like changeSetting(), and returns the value before.
+/// @param of  changes the setting only if this is its present value; empty: always
 [[nodiscard]] core::Result<ReplacedSetting> replaceSetting(const DatabaseContext& school, const Login& session,
                                                            const std::string& name, const std::string& value,
                                                            const std::optional<std::string>& of = {});
@@ -28,8 +28,8 @@ using database::SettingsMap;
 [[nodiscard]] core::Status changeOwnSetting(const DatabaseContext& school, const Login& session,
                                             const std::string& name, const std::string& value);
 
-/// Changes a setting of the school and notes it in the audit, inside a transaction of the caller, which has called
-/// takeTurn() and checked the permission.
+/// Changes a setting of the school and records it in the audit, inside a transaction of the caller. The caller calls
+/// takeTurn() and checks the permission.
 /// @param actor  uid, or "system"
 [[nodiscard]] core::Status putSetting(const DatabaseContext& school, const std::string& actor, const std::string& name,
                                       const std::string& value);

@@ -16,9 +16,9 @@ const std::string kList = "list the exams that were begun";
 
 using Pair = std::pair<std::int64_t, std::string>;  ///< a person and a lesson
 
-/// Returns the starts that meet a condition and have no score, newest first for each person and lesson. The attempts
-/// are matched in the order of their ends: each takes the last free start before its end. So of two exams at once, in
-/// two windows, both are matched, whichever ended first.
+/// Returns the starts that meet a condition and have no score, newest first for each person and lesson. Attempts are
+/// matched in the order of their ends: each takes the latest unmatched start before its end. So both of two exams at
+/// the same time, in two windows, are matched, in whichever order they end.
 core::Result<std::map<Pair, std::vector<ExamStart>>> withoutScore(const DatabaseContext& school, const QString& where,
                                                                   const QVariantList& values)
 {

@@ -11,24 +11,24 @@
 
 namespace database::sql {
 
-/// Notes that a person has begun an exam, as this station's outbox says. The same uid is noted once.
+/// Stores that a person has begun an exam, as the outbox of this station reports. The same uid is stored once.
 [[nodiscard]] core::Status deliverExam(const DatabaseContext& school, const std::string& personUid,
                                        const ExamStart& start);
 
-/// The exams of a person that were begun and have no score, newest first: one that goes on now is among them.
+/// Returns the exams that a person has begun and that have no score, newest first. They include an exam in progress.
 [[nodiscard]] core::Result<std::vector<ExamStart>> examsWithoutScore(const DatabaseContext& school,
                                                                      const Login& session, PersonId person);
 
-/// The number of such exams of a person, by lesson; checks no permission.
+/// Returns the number of such exams of a person, by lesson. Does not check permissions.
 [[nodiscard]] core::Result<std::map<std::string, int>> countWithoutScore(const DatabaseContext& school,
                                                                          PersonId person);
-/// The same of everybody in a class, lesson by lesson, where there are any.
+/// The exams without a score of one person at one lesson, for forEachWithoutScore().
 struct WithoutScore
 {
     PersonId person;
     std::string lessonId;
     int count = 0;
-    std::string newestUtc;  ///< when that was begun
+    std::string newestUtc;  ///< begin of the newest of them
 };
 [[nodiscard]] core::Status forEachWithoutScore(const DatabaseContext& school, ClassId ofClass,
                                                const std::function<void(const WithoutScore&)>& take);

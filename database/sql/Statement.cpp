@@ -16,8 +16,8 @@ namespace {
 constexpr int kOutcomePatienceMs = 10'000;
 constexpr unsigned long kOutcomeRestMs = 200;
 
-/// Returns how a transaction ended when its end was not answered (PostgreSQL's manual, "Transaction ID and Snapshot
-/// Information Functions"). Empty if that is unknown.
+/// Returns whether a transaction was committed, if the server was lost before it confirmed the commit (PostgreSQL's
+/// manual, "Transaction ID and Snapshot Information Functions"). Empty if that is unknown.
 std::optional<bool> wasKept(const QSqlDatabase& lost, const QVariant& transaction)
 {
     const QString name = lost.connectionName() + QStringLiteral(", how it ended");
@@ -28,7 +28,7 @@ std::optional<bool> wasKept(const QSqlDatabase& lost, const QVariant& transactio
             const auto said = db.open() ? ask(db, QStringLiteral("SELECT txid_status(?)"), "ask", {transaction})
                                         : core::Result<QVariant>(QVariant());
             const QString how = said ? said->toString() : QString();
-            if (how == u"committed" || how == u"aborted")  // else it is still at it
+            if (how == u"committed" || how == u"aborted")  // otherwise it is still in progress
                 kept = how == u"committed";
         }
         QSqlDatabase::removeDatabase(name);
@@ -43,7 +43,7 @@ std::optional<bool> wasKept(const QSqlDatabase& lost, const QVariant& transactio
 core::Result<QSqlQuery> run(const QSqlDatabase& db, const QString& sql, const std::string& doing,
                             const QVariantList& values)
 {
-    // Qt would warn of it, and say no more.
+    // On a closed connection, Qt would only print a warning.
     if (!db.isOpen())
         return tl::unexpected(dialect::error(db, QSqlError(), doing));
     assert(db.driver()->thread() == QThread::currentThread());

@@ -15,35 +15,36 @@
 
 namespace database::sql {
 
-/// Runs a statement with bound values. `doing` is part of the error: "could not add the attempt".
+/// Runs a statement with bound values. The error contains `doing`: "could not add the attempt".
 [[nodiscard]] core::Result<QSqlQuery> run(const QSqlDatabase& db, const QString& sql, const std::string& doing,
                                           const QVariantList& values = {});
 /// Runs a statement without a result.
 [[nodiscard]] core::Status execute(const QSqlDatabase& db, const QString& sql, const std::string& doing,
                                    const QVariantList& values = {});
-/// Runs a statement and returns the first value of the first row, null without a row.
+/// Runs a statement and returns the first value of the first row; null if there is no row.
 [[nodiscard]] core::Result<QVariant> ask(const QSqlDatabase& db, const QString& sql, const std::string& doing,
                                          const QVariantList& values = {});
-/// Runs a statement and calls `row` for each row. A damaged page is an error, not the end of the rows.
+/// Runs a statement and calls `row` for each row. A damaged page is reported as an error, not as the end of the rows.
 [[nodiscard]] core::Status forEach(const QSqlDatabase& db, const QString& sql, const std::string& doing,
                                    const QVariantList& values, const std::function<void(const QSqlQuery&)>& row);
 
-/// Returns a text as it must be bound: an empty std::string is '', a null QString would be NULL.
+/// Returns a text in the form in which it must be bound: an empty std::string becomes '', but a null QString would
+/// become NULL.
 [[nodiscard]] QVariant text(const std::string& utf8);
 [[nodiscard]] inline QVariant number(std::int64_t value)
 {
     return QVariant::fromValue<qlonglong>(value);
 }
 [[nodiscard]] std::string textOf(const QSqlQuery& row, int column);
-/// Returns the values from a column to the last.
+/// Returns the values from a column to the last one.
 [[nodiscard]] QVariantList valuesOf(const QSqlQuery& row, int first);
 
-/// Commits a transaction. If the server is lost before it has answered, asks for the outcome when it is back, for some
-/// seconds; after that the outcome is unknown (OutcomeUnknown). ConnectionLost if it was rolled back. The connection is
-/// lost in either case.
+/// Commits a transaction. If the server is lost before it confirms the commit, queries the outcome on new connections,
+/// for ten seconds at most; if it stays unknown, returns OutcomeUnknown. ConnectionLost if it was rolled back. This
+/// connection is lost in either case.
 [[nodiscard]] core::Status commit(const QSqlDatabase& db, const std::string& doing);
 
-/// Runs `work` inside a writing transaction, which is committed if it succeeds, and otherwise rolled back.
+/// Runs `work` inside a writing transaction. Commits it if `work` succeeds, and rolls it back otherwise.
 /// @param work  returns a core::Result or core::Status
 template <class Work>
 auto inTransaction(const QSqlDatabase& db, const std::string& doing, Work work) -> decltype(work())
@@ -55,7 +56,7 @@ auto inTransaction(const QSqlDatabase& db, const std::string& doing, Work work) 
         if (auto kept = commit(db, doing); !kept)
             done = tl::unexpected(kept.error());
     }
-    // The first error is reported; a failed rollback ends with the connection anyway.
+    // Returns the first error. If the rollback fails, the connection is lost anyway.
     if (!done)
         static_cast<void>(execute(db, QStringLiteral("ROLLBACK"), doing));
     return done;

@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    /// The lessons that a student's classes were assigned, each once.
+    /// Returns the lessons that are assigned to a student's classes, without duplicates.
     [[nodiscard]] core::Result<std::vector<AssignedLesson>> assignedTo(const Login& who) const
     {
         const auto classes = listClasses(m_school, who);

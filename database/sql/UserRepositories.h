@@ -8,7 +8,8 @@
 
 namespace database::sql {
 
-/// Returns the repositories of users over a connection, which has to outlive them. Thread: that of the connection.
+/// Returns the repositories of users over a connection, which has to outlive them. Call them in the thread of the
+/// connection.
 [[nodiscard]] std::unique_ptr<LessonRepository> lessonRepository(const DatabaseContext& school);
 [[nodiscard]] std::unique_ptr<LoginRepository> loginRepository(const DatabaseContext& school);
 

@@ -18,7 +18,7 @@ constexpr double kRoundingCounts = 1.5;
 constexpr double kCountsPerMs2 = 1.0;
 constexpr double kPaceLagMs = 1.0;  ///< age of the speed
 
-/// Returns how far a count may be from the expected one after a time.
+/// Returns the largest permitted difference between a count and the expected one after a time.
 constexpr double allowance(double ms)
 {
     return kRoundingCounts + kCountsPerMs2 * (0.5 * ms * ms + kPaceLagMs * ms);
@@ -53,7 +53,7 @@ std::optional<glm::dvec3> AnswerCheck::take(const Answer& answer, std::chrono::n
     else
         m_countsPerMs += (moved / ms - m_countsPerMs) * (m_known == 1 ? 1.0 : ms / (ms + kPaceLagMs));
     m_known = agrees ? std::min(m_known + 1, kConfirmed) : 1;
-    // After a pause the allowance is so wide that a spoilt count may fit. The next count decides.
+    // After a pause the tolerance is so wide that a corrupted count may be within it. So the next count has to agree.
     if (m_known == kConfirmed && ms > kConfirmedMs)
         m_known = kConfirmed - 1;
     m_counts = counts;

@@ -13,21 +13,21 @@ namespace haptics::falcon {
 
 /// Decides which answers are accepted. The protocol has no checksum, so a corrupted byte may decode to another
 /// position. A count is accepted if the arm can have reached it: it is compared with the count extrapolated from the
-/// last ones, and may differ by as much as a hand can accelerate. So a corrupted count is either refused or within
-/// about kBelievedCounts of the real one, a seventh of a millimetre. After missing answers the tolerance is larger, and
-/// the first one is accepted when the next one agrees.
+/// last ones, and may differ by as much as a hand can accelerate. So a corrupted count is either refused, or differs
+/// from the real one by at most about kBelievedCounts, a seventh of a millimetre. After missing answers the tolerance
+/// is larger, and the first answer is accepted only when the next one agrees.
 ///
 /// Device thread. Never allocates.
 class AnswerCheck
 {
 public:
-    /// Range of the counts: no arm leaves -25 to 90 degrees.
+    /// Range of the counts: no arm can leave -25 to 90 degrees.
     static constexpr int kLeastCount = -1650;
     static constexpr int kMostCount = 1510;
     /// Largest difference from the expected count one millisecond after the last accepted answer.
     static constexpr double kBelievedCounts = 3.0;
 
-    /// Clears the last counts: then three answers that agree are needed before one is accepted.
+    /// Forgets the last counts. Three answers that agree are then needed before one is accepted.
     void restart() noexcept { m_known = 0; }
 
     /// Checks an answer.

@@ -6,7 +6,7 @@
 namespace haptics::falcon {
 namespace {
 
-/// Greatest difference from the values of the type, as a share and as an angle.
+/// Largest permitted difference from the default values, as a share and as an angle.
 constexpr double kLengthShare = 0.2;
 constexpr double kHomeDifferenceRad = 20.0 * std::numbers::pi / 180.0;
 

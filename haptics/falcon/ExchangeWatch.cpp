@@ -47,7 +47,7 @@ void ExchangeWatch::update(Time now) noexcept
     m_begun = now;
 }
 
-/// Returns the middle of the bin that this share of the round trips does not exceed; 0 without any.
+/// Returns the middle of the histogram bin below which this share of the round trips is; 0 if there are none.
 double ExchangeWatch::tripUs(double share) const noexcept
 {
     double left = share * m_answers;

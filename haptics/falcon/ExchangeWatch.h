@@ -21,7 +21,7 @@ public:
     void addLost() noexcept { ++m_figures.lost; }
     void addRejected() noexcept { ++m_figures.rejected; }
 
-    /// Completes a second that has passed. Call often.
+    /// Closes the present second if it has passed. Call it often.
     void update(Time now) noexcept;
     [[nodiscard]] const core::session::ExchangeFigures& figures() const noexcept { return m_figures; }
 

@@ -25,23 +25,23 @@ using core::LocalizableText;
 using core::session::DeviceStage;
 
 constexpr auto kLookAgain = 500ms;     ///< interval between two searches for a missing device
-constexpr auto kTryAgain = 5s;         ///< after a temporary error
+constexpr auto kTryAgain = 5s;         ///< time until the next try after a temporary error
 constexpr int kMostLoads = 10;         ///< attempts to load firmware: real devices sometimes fail
-constexpr auto kReopens = 200ms;       ///< between two of them
-constexpr auto kAnswerPatience = 5ms;  ///< a device that answers later has lost the request
-constexpr auto kQuiet = 2ms;           ///< without bytes for this time the line is silent
+constexpr auto kReopens = 200ms;       ///< time between two attempts to load firmware
+constexpr auto kAnswerPatience = 5ms;  ///< a device that has not answered by then has lost the request
+constexpr auto kQuiet = 2ms;           ///< after this time without bytes, the line is silent
 constexpr auto kMostDrain = 20ms;
 constexpr auto kForcePatience = 300us;  ///< time for the servo to answer a reading
 constexpr auto kServoPatience = 20ms;   ///< a servo silent for longer has stopped
-constexpr auto kReadingPatience = 2ms;  ///< the servo waits this long for a reading that is late
+constexpr auto kReadingPatience = 2ms;  ///< time that the servo waits for a late reading
 constexpr auto kFreshReading = 10ms;
-constexpr auto kSilentAfter = 250ms;  ///< then the device is reported as silent
-constexpr auto kGoneAfter = 1500ms;   ///< then it is opened anew: it may have lost its firmware
+constexpr auto kSilentAfter = 250ms;  ///< after this time the device is reported as silent
+constexpr auto kGoneAfter = 1500ms;   ///< after this time it is opened again, because it may have lost its firmware
 constexpr auto kTestLasts = 500ms;
 constexpr double kMostTestN = 1.0;
 constexpr double kRampS = 0.5;
-constexpr int kSilentRequests = 2;  ///< from then on requests carry no force
-constexpr int kSurely = 3;          ///< answers in a row with the same value of a bit
+constexpr int kSilentRequests = 2;  ///< after this many, requests carry no force
+constexpr int kSurely = 3;          ///< number of answers in a row that must agree on a bit
 constexpr int kMostRefused = 20;
 constexpr int kPublishEvery = 16;
 constexpr double kWireS = 0.0001;     ///< 16 bytes at 1.5 Mbaud
@@ -49,7 +49,7 @@ constexpr double kFarthestMm = 90.0;  ///< from the middle of the work area
 constexpr int kPriority = 10;         ///< like the servo's
 
 std::atomic<bool> g_letGo{false};
-std::atomic<int> g_pressing{0};  ///< devices that may have a force
+std::atomic<int> g_pressing{0};  ///< number of devices that may have a force
 thread_local bool t_isDeviceThread = false;
 
 /// The buttons in the order of DeviceReport::presses: drill, undo, mirror, centre.
@@ -73,7 +73,7 @@ core::Result<FirmwareImage> readFirmware(const std::string& path)
     return FirmwareImage::check(std::move(bytes));
 }
 
-/// Asks for a real-time priority. Without the right to it, the thread runs like any other.
+/// Requests a real-time priority. Without the permission for it, the thread keeps its normal priority.
 void askForPriority()
 {
     sched_param parameter{};
@@ -190,7 +190,7 @@ bool FalconDevice::waitForReading(Clock::time_point due) noexcept
     return false;
 }
 
-// --- Device thread: from the plug to the hand ---
+// --- Device thread: from plugging in to homing ---
 
 void FalconDevice::run()
 {
@@ -215,7 +215,7 @@ void FalconDevice::run()
     }
 }
 
-/// Opens the device and loads its firmware if needed. Returns null if it cannot exchange frames yet.
+/// Opens the device and loads its firmware if needed. Returns null if the device cannot exchange frames yet.
 std::unique_ptr<FtdiPort> FalconDevice::bringUp(const Usb& usb)
 {
     auto port = FtdiPort::open(usb, m_serial);
@@ -297,14 +297,14 @@ void FalconDevice::tellWhich(const FtdiPort& port)
     m_told.others = port.others();
 }
 
-/// Waits, unless the device is to stop or has new wishes.
+/// Waits, unless the device shall stop or its settings have changed.
 void FalconDevice::rest(std::chrono::milliseconds time)
 {
     std::unique_lock lock(m_mutex);
     m_woken.wait_for(lock, time, [this] { return m_isStopping || m_hasWishes; });
 }
 
-/// Keeps the device open meanwhile, to see when it is unplugged.
+/// Waits with the device open, to detect when it is unplugged.
 void FalconDevice::waitWith(FtdiPort& port, std::chrono::milliseconds time)
 {
     const auto until = Clock::now() + time;
@@ -359,7 +359,7 @@ bool FalconDevice::exchangeOnce(FtdiPort& port, FrameReader& reader)
         m_watch.addRequest();
         for (auto left = kAnswerPatience + 0us; !answer && left > 0us && !port.isGone();
              left = std::chrono::duration_cast<std::chrono::microseconds>(sent + kAnswerPatience - Clock::now())) {
-            // All waiting bytes are read: of several answers, only the newest is current.
+            // Reads all waiting bytes, because only the newest of several answers is current.
             for (auto transfer = port.receive(left); !transfer.empty(); transfer = port.receive(0us))
                 if (const auto received = reader.read(transfer); received.answers > 0)
                     answer = received.newest;
@@ -374,7 +374,7 @@ bool FalconDevice::exchangeOnce(FtdiPort& port, FrameReader& reader)
         m_watch.addAnswer(sent, received);
         take(*answer, sent);
     } else {
-        // The answer was lost, or this thread paused so long that the answer is old.
+        // The answer was lost, or it is too old because this thread paused.
         ++m_silent;
         m_watch.addLost();
         drain(port, reader);
@@ -435,7 +435,7 @@ void FalconDevice::take(const Answer& answer, Clock::time_point sent) noexcept
     static_cast<void>(m_given.waitFor(sent, Clock::now() + kForcePatience));
 }
 
-/// Takes the bits on which several answers in a row agree.
+/// Accepts the button bits on which several answers in a row agree.
 void FalconDevice::takeButtons(std::uint8_t buttons) noexcept
 {
     m_buttonsAgree = buttons == m_buttonsSeen ? std::min(m_buttonsAgree + 1, kSurely) : 1;
@@ -478,7 +478,7 @@ Request FalconDevice::nextRequest() noexcept
     return request;
 }
 
-/// Returns the force to send, tooth frame.
+/// Returns the force to send to the hand, tooth frame.
 glm::dvec3 FalconDevice::wantedN(Clock::time_point now) noexcept
 {
     const GivenForce::Value& given = m_given.latest();
@@ -497,7 +497,7 @@ glm::dvec3 FalconDevice::wantedN(Clock::time_point now) noexcept
     return forceN * m_ramp;
 }
 
-/// Waits until the line is silent, so that a late answer is not taken for the next one.
+/// Waits until the line is silent, so that a late answer is not mistaken for the next one.
 void FalconDevice::drain(FtdiPort& port, FrameReader& reader)
 {
     const auto most = Clock::now() + kMostDrain;
@@ -510,7 +510,7 @@ void FalconDevice::drain(FtdiPort& port, FrameReader& reader)
     reader.dropIncomplete();
 }
 
-/// Sends a last request without force, and without lights.
+/// Sends a last request, without force and with the lights off.
 void FalconDevice::letGo(FtdiPort& port)
 {
     const Frame request = encode({});

@@ -25,8 +25,8 @@
 namespace haptics::falcon {
 
 /// Sets the force of every Falcon to zero and waits up to 0.1 s until that is sent. The force stays zero until a device
-/// is started. For the handler of a signal that ends the program: it only accesses atomics and sleeps. On a device's
-/// own thread it returns at once without effect.
+/// is started. It only accesses atomics and sleeps, so that the handler of a signal that ends the program can call it.
+/// In a device's own thread it returns at once without effect.
 void letGoOfAll() noexcept;
 
 /// Drives a Novint Falcon in a thread of its own. The thread finds and opens the device, loads its firmware and waits
@@ -72,7 +72,7 @@ private:
         std::uint64_t serial = 0;  ///< 0: none yet
         glm::vec3 tipMm{0.0F};
         Clock::time_point taken;  ///< when the request was sent
-        float delayS = 0.0F;      ///< of the last force, from the reading that it answers
+        float delayS = 0.0F;      ///< of the last force: time since the reading that it answers
         bool drill = false;       ///< the button is held
     };
     /// From the ui to the device thread.

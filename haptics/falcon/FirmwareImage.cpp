@@ -42,7 +42,8 @@ std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t at)
     return bytes[at] | static_cast<std::uint32_t>(bytes[at + 1]) << 8U;
 }
 
-/// Returns the size of the block at the front, or of its first word if that is 0 (the end of the stream) or cut.
+/// Returns the size of the block at the front. If its first word is 0 (the end of the stream) or incomplete, returns
+/// the size of that word.
 std::size_t blockBytesAt(std::span<const std::uint8_t> bytes)
 {
     const std::size_t words = bytes.size() < kWordBytes ? 0 : wordAt(bytes, 0);

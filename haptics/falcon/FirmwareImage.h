@@ -12,8 +12,8 @@
 
 namespace haptics::falcon {
 
-/// Checked firmware for the Falcon's controller. Only an image that passed the check can exist, so that no other data
-/// can be sent to a device.
+/// Firmware for the Falcon's controller that has passed a check. Objects are created by check() only, so that no other
+/// data can be sent to a device.
 ///
 /// The file is a boot stream for the SCI boot loader of TI's C28x processors, 8-bit data, as TI's boot ROM guides
 /// describe it (SPRUI07, "Bootloader Data Stream Structure"): 16-bit words, low byte first; the key 0x08AA; eight

@@ -21,7 +21,7 @@ constexpr auto kGreetingPatience = 200ms;
 constexpr std::array<std::uint8_t, 1> kBaudByte{0x41};
 constexpr int kBaudBytes = 3;
 constexpr auto kBaudPatience = 300ms;
-/// This many bytes come back as one full packet, without the latency timer.
+/// This many bytes return as one full packet, which the chip sends without waiting for its latency timer.
 constexpr std::size_t kBlockBytes = kUsbPacketBytes - kUsbStatusBytes;
 constexpr auto kEchoPatience = 1000ms;
 constexpr auto kLoadingLatency = 16ms;
@@ -44,16 +44,17 @@ core::Status gone()
                       LocalizableText{"The Falcon was unplugged while its firmware was loaded."});
 }
 
-/// Waits until the bytes sent before are out, and starts to send these. Returns false as FtdiPort::send() does.
+/// Waits until the previous bytes are sent, then starts to send these. Returns false under the conditions of
+/// FtdiPort::send().
 bool sendWhenFree(FtdiPort& port, std::span<const std::uint8_t> bytes)
 {
-    // Bytes that come in meanwhile are dropped.
+    // Bytes received meanwhile are discarded.
     for (const auto until = Clock::now() + kEchoPatience; port.isSending() && Clock::now() < until;)
         static_cast<void>(port.receive(1ms));
     return port.send(bytes);
 }
 
-/// Passes each byte that comes in to a function until it returns true. Returns false if the time is over first.
+/// Passes each received byte to a function until it returns true. Returns false if the time is over before that.
 template <class Take>
 bool takeUntil(FtdiPort& port, std::chrono::milliseconds patience, Take take)
 {

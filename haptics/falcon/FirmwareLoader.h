@@ -12,10 +12,10 @@
 /// the baud rate by an 'A' and sends every byte back.
 namespace haptics::falcon {
 
-/// Sets the line for running firmware, and drops received data.
+/// Sets the line for running firmware, and discards received data.
 [[nodiscard]] core::Status setForRunning(FtdiPort& port);
 
-/// Returns whether firmware answers. Sets the line for it and sends requests without force for up to 0.3 s.
+/// Returns whether firmware is running. Sets the line for it and sends requests without force for up to 0.3 s.
 [[nodiscard]] core::Result<bool> firmwareRuns(FtdiPort& port);
 
 /// Loads the firmware and sets the line for it. Takes 1 to 3 s. May fail on a good device: retry on a newly opened

@@ -19,7 +19,7 @@ constexpr int kInterface = 0;
 constexpr std::uint8_t kOutEndpoint = 0x02;
 constexpr std::uint8_t kInEndpoint = 0x81;
 constexpr unsigned kControlMs = 1000;
-/// A device with so many failures in a row counts as unplugged.
+/// After so many failures in a row, a device counts as unplugged.
 constexpr int kMostFailures = 20;
 constexpr std::chrono::milliseconds kCloses{1000};
 
@@ -85,7 +85,7 @@ FtdiPort::~FtdiPort()
     };
     while (isBusy() && std::chrono::steady_clock::now() < until)
         handleEvents(std::chrono::milliseconds(10));
-    // A transfer that libusb does not return must not be freed: its memory is left to libusb.
+    // If libusb has not returned a transfer, freeing it would be unsafe, so its memory is leaked.
     for (Read& read : m_reads)
         if (read.transfer != nullptr && !read.isUnderWay)
             libusb_free_transfer(read.transfer);
@@ -156,7 +156,7 @@ core::Status FtdiPort::purge()
         return done;
     if (auto done = control(kReset, kPurgeToSend); !done)
         return done;
-    // Data on its way is in the reads that have ended, or will end at once.
+    // Data that is still on its way is in reads that have ended or will end at once.
     handleEvents(std::chrono::microseconds(0));
     while (!receive(std::chrono::microseconds(0)).empty()) {
     }
@@ -203,7 +203,7 @@ std::span<const std::uint8_t> FtdiPort::receive(std::chrono::microseconds patien
     return {m_lent->bytes.data(), m_lent->size};
 }
 
-/// Waits for events until one happens or the time is over.
+/// Handles events of libusb until at least one has occurred or the time is over.
 void FtdiPort::handleEvents(std::chrono::microseconds patience) noexcept
 {
     constexpr std::int64_t kUsPerS = 1'000'000;

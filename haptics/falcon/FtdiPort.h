@@ -26,7 +26,7 @@ class FtdiPort
 public:
     /// Divisors of 3 MHz.
     enum class Baud : std::uint16_t {
-        Hello = 0x4138,    ///< 9,600: the first words with a controller that has no firmware
+        Hello = 0x4138,    ///< 9,600: greeting of a controller without firmware
         Loading = 0x0015,  ///< 142,857
         Running = 0x0002,  ///< 1,500,000
     };
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] core::Status setLine(Line line);
     /// Sets 8 data bits, no parity, 1 stop bit, no flow control.
     [[nodiscard]] core::Status setFormat();
-    /// Empties the buffers of the chip, and drops what has been received.
+    /// Empties the buffers of the chip, and discards received data.
     [[nodiscard]] core::Status purge();
 
     /// Starts to send. Returns false if the last send() is not finished or the device is gone.
@@ -56,8 +56,8 @@ public:
     [[nodiscard]] bool send(std::span<const std::uint8_t> bytes) noexcept;
     static constexpr std::size_t kMostBytes = 64;
 
-    /// Waits until a transfer arrives or the time is over, and returns it with the status bytes of its packets. Empty
-    /// if none came. The bytes are valid until the next call.
+    /// Waits until a transfer arrives or the time is over. Returns the transfer with the status bytes of its packets,
+    /// or nothing. The bytes are valid until the next call.
     [[nodiscard]] std::span<const std::uint8_t> receive(std::chrono::microseconds patience) noexcept;
 
     [[nodiscard]] bool isSending() const noexcept { return m_isSending; }
@@ -91,7 +91,7 @@ private:
     std::string m_serial;
     int m_others = 0;
     std::array<Read, kReads> m_reads;
-    std::array<std::size_t, kReads> m_done{};  ///< ring of finished reads, in the order in which they came
+    std::array<std::size_t, kReads> m_done{};  ///< ring of finished reads, in the order of their arrival
     std::size_t m_firstDone = 0;
     std::size_t m_doneCount = 0;
     Read* m_lent = nullptr;  ///< the read whose bytes receive() returned

@@ -33,8 +33,7 @@ public:
     /// Device thread: waits for a force that answers a reading requested at `request` or later. Returns false if
     /// `until` is reached first.
     ///
-    /// A signal may remain from an older force. It does not count: otherwise the force sent would always be one
-    /// exchange late.
+    /// Ignores signals of older forces: otherwise the force sent would always be one exchange late.
     [[nodiscard]] bool waitFor(Clock::time_point request, Clock::time_point until)
     {
         while (latest().answers < request)

@@ -63,7 +63,7 @@ std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& n
             return std::nullopt;
         const glm::dvec3 missing = arms ? angleRad - arms->angleRad : glm::dvec3(0.0);
         const double misses = glm::dot(missing, missing);
-        // From far away a step may lead out of reach or farther away: half of it does not.
+        // A step from far away may leave the reachable region or increase the error. Half of the step is tried instead.
         if (!arms || misses > missed) {
             grip = 0.5 * (grip + reached);
             continue;

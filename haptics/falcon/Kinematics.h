@@ -42,15 +42,14 @@ struct Arms
 /// Inverse kinematics, closed form. Empty if a leg cannot reach the position.
 [[nodiscard]] std::optional<Arms> armsAt(const glm::dvec3& gripMm, const Geometry& geometry = {}) noexcept;
 
-/// Forward kinematics by Newton's method in full steps to 1e-9 rad: two or three steps from the position of the last
-/// tick. From far away a step that would leave the reachable region is halved. (libnifalcon's half steps to 0.01 rad
-/// lag behind a moving grip by a whole tick.) Empty if no grip position has these angles.
-/// these angles.
+/// Computes the position of the grip by Newton's method in full steps, to 1e-9 rad. Takes two or three steps from the
+/// position of the last tick. A step from far away that would leave the reachable region is halved. (libnifalcon's half
+/// steps to 0.01 rad lag behind a moving grip by a whole tick.) Empty if no position has these angles.
 /// @param nearMm  start of the iteration
 [[nodiscard]] std::optional<glm::dvec3> gripAt(const glm::dvec3& angleRad, const glm::dvec3& nearMm,
                                                const Geometry& geometry = {}) noexcept;
 
-/// Returns the encoder counts at these angles, unrounded, for a Falcon with the usual values.
+/// Returns the encoder counts at these angles, unrounded, for a Falcon with the default calibration.
 [[nodiscard]] glm::dvec3 countsAt(const glm::dvec3& angleRad) noexcept;
 
 /// Returns the angles of the arms at these counts.
@@ -59,8 +58,8 @@ struct Arms
     return calibration.homeRad + counts * calibration.countRad;
 }
 
-/// Returns the torques of the three arms, Nm, that push with a force on the hand at the grip: the transpose of the
-/// Jacobian times the force.
+/// Returns the torques of the three arms, Nm, that exert a force on the hand at the grip: the transpose of the Jacobian
+/// times the force.
 /// @param forceN  device frame
 [[nodiscard]] glm::dvec3 torquesNm(const Arms& arms, const glm::dvec3& forceN) noexcept;
 

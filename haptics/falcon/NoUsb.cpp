@@ -17,7 +17,7 @@ core::Result<std::unique_ptr<Usb>> Usb::open()
         core::LocalizableText{"This program was built without libusb: force devices are left out."});
 }
 
-// In Usb.cpp the destructor has work to do.
+// In Usb.cpp the destructor is not trivial.
 Usb::~Usb() {}  // NOLINT(modernize-use-equals-default)
 
 std::vector<FoundFalcon> Usb::falcons() const

@@ -32,7 +32,7 @@ constexpr unsigned kParityBit = 0x04;
 constexpr unsigned kFramingBit = 0x08;
 constexpr unsigned kBreakBit = 0x10;
 
-/// Returns whether an answer may have this byte at this position.
+/// Returns whether a byte is valid at this position of an answer.
 bool isInRange(std::size_t at, std::uint8_t byte)
 {
     if (at == 0)

@@ -86,9 +86,9 @@ struct UsbPacket
 
 /// Finds answers in the received bytes, however they are split into reads, and among bytes that belong to none.
 ///
-/// An answer is accepted if '<' is followed by 14 bytes in range and '>'. No byte in range equals '<', so that lost or
-/// extra bytes cost the answer they are in and no other. The protocol has no checksum: a byte that was changed into
-/// another one in range is not detected.
+/// An answer is accepted if '<' is followed by 14 bytes in range and '>'. No byte in range equals '<', so lost or extra
+/// bytes invalidate only the answer that contains them. The protocol has no checksum: if a byte is changed into another
+/// one in range, the error is not detected.
 class FrameReader
 {
 public:
@@ -99,15 +99,16 @@ public:
         LineErrors errors{};
     };
 
-    /// Reads a whole transfer from the FTDI chip. Data that came with a line error is dropped, with the incomplete
-    /// answer before it: bytes may be missing from it or changed.
+    /// Reads a whole transfer from the FTDI chip. Data with a line error is discarded, and so is the incomplete answer
+    /// before it, because bytes may be missing or changed.
     [[nodiscard]] Received read(std::span<const std::uint8_t> transfer) noexcept;
 
-    /// Removes bytes from the front up to the end of the next answer and returns it. Null if the bytes end before that;
-    /// an incomplete answer continues with the next call.
+    /// Removes bytes from the front up to the end of the next answer and returns the answer. Null if the bytes end
+    /// before that; an incomplete answer continues with the next call.
     [[nodiscard]] std::optional<Answer> next(std::span<const std::uint8_t>& bytes) noexcept;
 
-    /// Drops the incomplete answer. Call after a timeout, so that a cut answer is not completed by another one.
+    /// Discards the incomplete answer. Call it after a timeout, so that later bytes do not complete an interrupted
+    /// answer.
     void dropIncomplete() noexcept;
 
     /// Returns the number of bytes so far that are part of no answer, without those of the incomplete one.

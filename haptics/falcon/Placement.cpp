@@ -12,15 +12,16 @@ using core::session::DeviceSetup;
 
 static_assert(kReachMm >= core::session::kHandReachMm);
 
-/// Returns the directions of the device's axes in the tooth frame if it faces the user.
+/// Returns the directions of the device's axes in the tooth frame, for a device that faces the user.
 glm::dmat3 standing(DeviceSetup::Stand stand)
 {
-    // As sold, its y points up and its z at the user. On its back, z points up and y away from the user.
+    // In its normal position its y axis points up, and z to the user. On its back, z points up, and y away from the
+    // user.
     return stand == DeviceSetup::Stand::Upright ? glm::dmat3({1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, -1.0, 0.0})
                                                 : glm::dmat3(1.0);
 }
 
-/// Returns a quarter turn about the vertical: a device at the right of the user faces left.
+/// Returns the rotation about the vertical. A device on the right of the user is turned to face left.
 glm::dmat3 turned(DeviceSetup::Side side)
 {
     switch (side) {

@@ -9,8 +9,8 @@
 
 namespace haptics::falcon {
 
-/// Converts between the device frame of a Falcon and the tooth frame, for the placement of the Falcon in front of the
-/// user. The origin of the tooth is DeviceSetup::restMm above the middle of the work area.
+/// Converts between the device frame of a Falcon and the tooth frame, for a Falcon that stands or lies in front of the
+/// user or beside them. The origin of the tooth is DeviceSetup::restMm above the middle of the work area.
 class Placement
 {
 public:
@@ -24,7 +24,7 @@ public:
     {
         return kCentreMm + (toothMm * m_scale + m_restMm) * m_toothFromDevice;  // the transpose turns back
     }
-    /// Converts a force on the hand, which does not depend on the scale.
+    /// Converts a force on the hand. The scale has no effect on forces.
     [[nodiscard]] glm::dvec3 deviceFromToothN(const glm::dvec3& forceN) const noexcept
     {
         return forceN * m_toothFromDevice;

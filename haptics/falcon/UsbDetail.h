@@ -12,7 +12,7 @@ struct libusb_context;
 struct libusb_device;
 struct libusb_device_handle;
 
-/// Functions around libusb for Usb and FtdiPort.
+/// Helper functions around libusb for Usb and FtdiPort.
 namespace haptics::falcon {
 
 /// The devices on the USB at the time of construction.

@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds kBeat{4};
 constexpr std::chrono::milliseconds kIdleBeat{100};  ///< while no controller is plugged in
 constexpr double kLongestBeatS = 0.05;
 
-/// A button as an axis.
+/// Treats a button as an axis with two positions.
 constexpr core::settings::PedalSettings kButtonShape{0.0, 1.0};
 
 }  // namespace
@@ -111,14 +111,15 @@ void ControllerInput::countPresses(const std::vector<Controller>& before)
         for (std::size_t button = 0; button < controller.presses.size(); ++button) {
             const bool isKnown = was != before.end() && button < was->presses.size();
             controller.presses[button] = isKnown ? was->presses[button] : 0;
-            // A button that is already down when its controller is plugged in was not pressed here.
+            // If a button is already down when its controller is plugged in, that does not count as a press.
             if (isKnown && controller.isHeld(button) && !was->isHeld(button))
                 ++controller.presses[button];
         }
     }
 }
 
-/// Follows the pedal. Of two pedals of one kind, the first one plugged in counts as long as it is there.
+/// Reads the speed of the chosen pedal. Of two equal pedals, the one that was plugged in first counts until it is
+/// unplugged.
 void ControllerInput::followPedal(double seconds)
 {
     const auto& all = m_now.controllers;

@@ -18,7 +18,8 @@ namespace haptics {
 /// Reads foot pedals and gamepads in a thread of its own, 250 times a second while one is plugged in.
 ///
 /// The thread writes the speed that the chosen pedal requests to a FootPedal, which the servo reads. An unplugged pedal
-/// requests 0 at once. The functions here are for the ui thread and return at once; only stop() waits for the thread.
+/// requests 0 at once. Call the functions in the ui thread. They return at once, except stop(), which waits for the
+/// thread.
 class ControllerInput
 {
 public:

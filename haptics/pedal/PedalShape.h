@@ -7,15 +7,15 @@ namespace haptics {
 
 /// Converts the readings of a pedal into the speed of the bur. Pure; create one each time a pedal is plugged in.
 ///
-/// A pedal counts as released until it has been read at rest: the bur does not start if the pedal is pressed, or its
-/// axis sticks, when the program starts. Noise does not start the bur: it starts after the pedal has been beyond the
-/// dead zone, with a margin, for kStartsAfterS. It stops at once.
+/// A pedal counts as released until it has been read at rest. So the bur does not start if the pedal is pressed, or its
+/// axis is stuck, when the program starts. The bur starts when the pedal has been beyond the dead zone plus a margin
+/// for kStartsAfterS, so that noise does not start it. It stops at once.
 class PedalShape
 {
 public:
     static constexpr double kStartsAfterS = 0.02;
     static constexpr double kStartMargin = 0.02;  ///< share of the travel
-    static constexpr double kStepPercent = 1.0;   ///< a smaller change of the speed is noise
+    static constexpr double kStepPercent = 1.0;   ///< smaller changes of the speed are noise
 
     explicit PedalShape(const core::settings::PedalSettings& settings) noexcept : m_settings(settings) {}
 

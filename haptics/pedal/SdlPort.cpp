@@ -27,7 +27,7 @@ float readingOf(Sint16 raw)
     return std::max(-1.0F, static_cast<float>(raw) / kFullReading);
 }
 
-/// While this object lives, no controller is added or removed.
+/// Prevents SDL from adding or removing controllers while it exists.
 class ControllerLock
 {
 public:

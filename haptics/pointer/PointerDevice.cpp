@@ -80,7 +80,8 @@ void PointerDevice::begin() noexcept
     m_freeS = 1.0;
 }
 
-/// Stops at a wall that pushes back with the wanted force, so that the spring is stretched no further.
+/// Moves the hand sideways. It stops at a wall that pushes back with the wanted force, so that the spring is not
+/// stretched further.
 void PointerDevice::moveAside(const glm::dvec3& forceOnHandN, double forceN) noexcept
 {
     const bool isFree = m_want.feedMmPerS > 0.0 && m_freeS > kFreeS;
@@ -105,7 +106,8 @@ void PointerDevice::lean(double forceN) noexcept
 {
     const double missing = m_want.pushForceN - forceN;
     const double sink = missing / (m_stiffness * kPushLagS);
-    // The motion of a cut is no missing force. It is learnt only in contact: the approach is no cut.
+    // While the bur sinks into a cut, its movement must not count as missing force. The speed is learnt only in
+    // contact, because the approach is no cut.
     if (forceN > kFeltN)
         m_followMmPerS += sink * m_period / kFollowLagS;
     m_followMmPerS = std::clamp(m_followMmPerS, 0.0, kDragMmPerS);
@@ -128,7 +130,7 @@ void PointerDevice::lower() noexcept
         m_levelMm -= m_want.feedMmPerS * m_period;
     m_levelMm = std::max(m_levelMm, m_want.stopMm);
     const double wanted = m_isInAir ? 0.0 : std::min(kFirmness * std::max(0.0, m_burMm.z - m_levelMm), mostLeanMm);
-    // The force of a hand changes gradually, even when the bur slips off an edge.
+    // The force of a hand changes gradually, even if the bur slips off an edge.
     const double lean = std::max(0.0, m_burMm.z - m_tip.z);
     const double most = mostLeanMm * m_period / kLeanS;
     const double next = std::clamp(wanted, lean - most, lean + most);
@@ -138,7 +140,7 @@ void PointerDevice::lower() noexcept
 void PointerDevice::lift() noexcept
 {
     m_followMmPerS = 0.0;
-    // The damper of the force law would pull at a faster hand.
+    // A faster hand would feel a pull by the damper of the force law.
     const double most = (m_freeS > kFreeS ? kGlideMmPerS : kLeavesMmPerS) * m_period;
     m_tip.z += m_want.feedMmPerS > 0.0 ? std::clamp(m_want.hoverMm - m_tip.z, -most, most)
                                        : (m_want.hoverMm - m_tip.z) * std::min(1.0, m_period / kLiftLagS);

@@ -10,17 +10,17 @@ namespace haptics {
 /// A mouse, pen or keyboard as a haptic device: a simulated hand that follows the pointer and, while the button is
 /// held, presses on the tooth.
 ///
-/// With a feed, the hand behaves like a supported finger. It has a level that goes down at the feed, stops at the depth
-/// stop, and waits while the bur cannot follow. The hand presses on the bur in proportion to the height of the bur
-/// above the level, up to the requested force. So the speed is the same in every tissue, and a bur that moves sideways
-/// keeps its depth.
+/// With a feed, the hand behaves like a supported finger. It has a level, which goes down at the feed, stops at the
+/// depth stop, and waits while the bur cannot follow. The hand presses on the bur in proportion to the height of the
+/// bur above the level, up to the requested force. So the bur cuts every tissue at the same speed, and keeps its depth
+/// when it moves sideways.
 ///
 /// Without a feed, the hand presses until the tooth resists with the requested force. It is an admittance: its speed is
 /// proportional to the missing force, so the force builds up over about kPushLagS. While the bur sinks into a cut, the
 /// hand estimates the speed of the bur and adds it.
 ///
-/// Sideways, the hand follows the target through two first-order lags, so that the steps of a 60 Hz mouse are not felt.
-/// With a feed and without contact it follows at once.
+/// Sideways, the hand follows the target through two first-order lags, so that the user does not feel the steps of a 60
+/// Hz mouse. With a feed and without contact it follows without lag.
 class PointerDevice final : public HapticDevice
 {
 public:
@@ -31,7 +31,7 @@ public:
 
     void seeBur(const glm::dvec3& tipMm) noexcept override { m_burMm = tipMm; }
     DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
-    /// Hovers over the target. A held button counts again after it has been released.
+    /// Hovers over the target. A button that is held counts only after it has been released once.
     void takeOver() noexcept override { m_begins = true; }
 
 private:
@@ -48,7 +48,7 @@ private:
     glm::dvec3 m_burMm{0.0, 0.0, 4.0};
     double m_followMmPerS = 0.0;  ///< speed of the bur into the cut
     double m_levelMm = 4.0;       ///< level of a hand with a feed, tooth frame z
-    bool m_isInAir = true;        ///< in the last tick of a hand with a feed
+    bool m_isInAir = true;        ///< state of a hand with a feed in the last tick
     double m_idleS = 0.0;         ///< time without contact while the button is down
     double m_freeS = 1.0;         ///< time without contact
     glm::dvec3 m_tip{0.0, 0.0, 4.0};

@@ -19,7 +19,7 @@ constexpr float kThroughMm = 0.5F;       ///< tooth that is left below a cut
 constexpr float kDeeperMm = 0.05F;       ///< the tip may go so far below the decay that it clears, if that is enough
 constexpr float kDecayMarginMm = 0.02F;  ///< depth below the decay, so that no trace remains
 
-/// Returns the lowest permitted end of each column. All its decay can be removed.
+/// Returns the lowest permitted height of the cavity in each column. All the decay of the column is above it.
 std::vector<float> limits(const core::terrain::ToothAnatomy& anatomy)
 {
     std::vector<float> limit(anatomy.grid.count());
@@ -34,7 +34,7 @@ std::vector<float> limits(const core::terrain::ToothAnatomy& anatomy)
     return limit;
 }
 
-/// Returns the columns with decay that has to go, deepest first.
+/// Returns the columns with decay to be removed, deepest first.
 std::vector<std::size_t> deepestFirst(const core::terrain::ToothAnatomy& anatomy)
 {
     std::vector<std::size_t> decayed;
@@ -57,7 +57,7 @@ std::vector<float> decayCavity(const core::terrain::ToothAnatomy& anatomy, const
     const std::vector<float> limit = limits(anatomy);
     const auto lowestTip = static_cast<float>(core::bur::lowestTipMm(anatomy));
     std::vector<float> top = anatomy.top;
-    // Height of sound tooth that a cut with its tip at this place costs; empty if the cut is forbidden.
+    // Returns the amount of sound tooth that is cut if the tip is at this position; empty if the cut is forbidden.
     const auto costOf = [&](int i, int j, float tipMm) -> std::optional<float> {
         float cost = 0.0F;
         for (const FootprintPart& part : head) {
@@ -81,7 +81,7 @@ std::vector<float> decayCavity(const core::terrain::ToothAnatomy& anatomy, const
         const int j = static_cast<int>(decayed) / grid.side;
         const FootprintPart* best = nullptr;
         float least = std::numeric_limits<float>::max();
-        // With the flat of the head where possible; the tooth below decay is sound.
+        // The tooth below the decay is sound, so the flat part of the head is used where possible.
         for (const float mostMm : {kDeeperMm, std::numeric_limits<float>::max()}) {
             for (const FootprintPart& part : head) {
                 const float tipMm = floorMm - part.heightMm;

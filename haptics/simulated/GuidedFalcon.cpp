@@ -10,7 +10,7 @@
 namespace haptics {
 namespace {
 
-/// Firm: in a narrow fissure the wall pushes a softer hand aside, and it slips down to a place it did not aim at.
+/// A firm hand. The wall of a narrow fissure would push a softer one aside, and the bur would slip to another place.
 constexpr HandFigures kHand = kHands[2];
 constexpr double kHandNPerMm = 0.001 * kHand.stiffnessNPerM;
 constexpr glm::dvec3 kStartMm{0.0, 0.0, 4.0};  ///< start of a PointerDevice
@@ -23,7 +23,7 @@ constexpr double kMostCorrectionMm = 0.5;      ///< the device's dry friction ho
 GuidedFalcon::GuidedFalcon(core::rt::TripleBuffer<core::servo::PointerInput>& input, double stiffnessNPerMm,
                            double periodS)
     : m_glance(periodS / kEyeLagS),
-      // A hand that leans on a tooth through an arm stretches both springs in series.
+      // The springs of hand and tooth are in series when the hand leans on a tooth through an arm.
       m_will(input, stiffnessNPerMm * kHandNPerMm / (stiffnessNPerMm + kHandNPerMm), periodS),
       m_falcon({}, kHand, periodS, 1, kStartMm), m_readMm(kStartMm), m_feeling(std::min(1.0, periodS / kFeelLagS))
 {}
@@ -32,7 +32,7 @@ DeviceSample GuidedFalcon::exchange(const glm::dvec3& forceOnHandN) noexcept
 {
     m_feltN += (forceOnHandN - m_feltN) * m_feeling;
     const glm::dvec3 wanted(m_will.exchange(m_feltN).tipInToothMm);
-    // Along the bur's axis the hand controls the force and not the place.
+    // Along the axis of the bur, the hand controls the force and not the position.
     const glm::dvec3 aside = (wanted - m_readMm) * glm::dvec3(1.0, 1.0, 0.0);
     m_correctionMm =
         glm::clamp(m_correctionMm + aside * m_glance, -glm::dvec3(kMostCorrectionMm), glm::dvec3(kMostCorrectionMm));

@@ -8,9 +8,9 @@
 
 namespace haptics {
 
-/// A simulated Falcon in a simulated hand that follows the input of a pointer device, to watch the simulator drill by
-/// itself. A PointerDevice gives the intended movement, hand and Falcon carry it out, and simulated vision corrects the
-/// effect of friction.
+/// A simulated Falcon in a simulated hand that follows the input of a pointer device, for demonstrations. A
+/// PointerDevice computes the intended movement, which hand and Falcon carry out. Simulated vision corrects the effect
+/// of friction.
 class GuidedFalcon final : public HapticDevice
 {
 public:
@@ -20,13 +20,13 @@ public:
     DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
 
 private:
-    double m_glance;  ///< share of a visible error corrected per tick
+    double m_glance;  ///< share of a visible error that is corrected per tick
     PointerDevice m_will;
     SimulatedFalcon m_falcon;
     glm::dvec3 m_readMm;
     glm::dvec3 m_correctionMm{0.0};
     glm::dvec3 m_feltN{0.0};
-    double m_feeling;  ///< share of a new force that is felt after a tick
+    double m_feeling;  ///< share of a new force that the hand feels after a tick
 };
 
 }  // namespace haptics

@@ -40,7 +40,7 @@ IdealHand::IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const
       m_thickMm(static_cast<float>(kLayerShare * bur.headLengthMm))
 {
     const std::vector<FootprintPart> head = footprint(bur, m_grid);
-    // A column that is to go completely is cut to just below its bottom.
+    // A column that has to be removed completely is cut to just below its bottom.
     std::vector<float> wantedTop(idealTop.begin(), idealTop.end());
     for (std::size_t k = 0; k < m_grid.count(); ++k)
         if (anatomy.top[k] > anatomy.bottom[k])
@@ -75,7 +75,7 @@ void IdealHand::findLowest(std::span<const float> idealTop, std::span<const Foot
         }
 }
 
-/// Keeps the bur above a neighbouring tooth, however little it would touch.
+/// Keeps the bur above a neighbouring tooth wherever it would touch it.
 void IdealHand::keepOff(const core::terrain::HeightMaps& beside, const core::bur::Bur& bur)
 {
     const core::terrain::Grid& other = beside.grid;
@@ -119,7 +119,7 @@ void IdealHand::findReach(std::span<const FootprintPart> head)
         }
 }
 
-/// Tries the columns that did not yield again in layers, from the top on. Returns false when all have been tried.
+/// Tries the columns that could not be cut again, in layers from the top. Returns false when all have been tried.
 bool IdealHand::goDown(const core::terrain::Tooth& tooth)
 {
     float highest = kEmptyTop;
@@ -147,7 +147,7 @@ bool IdealHand::isWanting(const core::terrain::Tooth& tooth, std::size_t column)
            tooth.top[column] > m_reachMm[column] + aboveMm + kLeftMm;
 }
 
-/// Returns the next column: first the deepest, then the nearest.
+/// Returns the next column to cut: the deepest at first, then the nearest.
 std::optional<std::size_t> IdealHand::nextColumn(const core::terrain::Tooth& tooth, glm::dvec2 burMm) const
 {
     std::optional<std::size_t> best;
@@ -227,7 +227,7 @@ core::servo::PointerInput IdealHand::decide(const core::servo::ServoState& state
         want.targetMm = bur + way * (std::max(distance, kLeadMm) / distance);
         want.hoverMm = std::max(onTheWay, state.anchorMm.z - kSinkMm);
     }
-    // If nothing stops the bur, its lead into the tooth would continue into what must be spared.
+    // If nothing stops the bur, its lead into the tooth would take it into tissue that must be spared.
     if (isKeptOff(want.targetMm))
         want.targetMm = m_grid.nodeMm(aim);
     return want;

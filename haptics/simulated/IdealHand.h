@@ -14,9 +14,9 @@
 
 namespace haptics {
 
-/// A simulated expert: cuts an ideal and nothing beside it, with one bur, in layers thinner than the length of its
-/// head. Plunges where most is left, then mills to the nearest uncut column, at depth if the way there is free. Steers
-/// a PointerDevice as a mouse would.
+/// A simulated expert who cuts an ideal and nothing beside it, with one bur, in layers thinner than the length of its
+/// head. The bur plunges where most is left, then mills to the nearest uncut column, at depth if the path there is
+/// free. The hand steers a PointerDevice as a mouse would.
 class IdealHand
 {
 public:
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] core::servo::PointerInput decide(const core::servo::ServoState& state,
                                                    const core::terrain::Tooth& tooth);
 
-    /// Returns true when all is cut that this bur can reach, or the rest cannot be cut.
+    /// Returns true if this bur has cut everything it can reach, or if the rest cannot be cut.
     [[nodiscard]] bool isDone() const { return m_isDone; }
 
 private:
@@ -47,7 +47,7 @@ private:
     std::vector<float> m_lowestMm;        ///< lowest height of the tip at each node at which no column is cut below its
                                           ///< ideal
     std::vector<float> m_reachMm;         ///< height to which this bur can cut each column
-    std::vector<std::size_t> m_fromAt;    ///< the node from which it does so
+    std::vector<std::size_t> m_fromAt;    ///< the node from which the bur cuts each column to that height
     std::vector<bool> m_isKeptOff;        ///< nodes at which the bur would touch a neighbour
     std::vector<bool> m_isGivenUp;        ///< nodes where cutting makes no progress
     std::size_t m_wanted = 0;             ///< number of columns to be cut

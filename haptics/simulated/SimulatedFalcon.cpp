@@ -16,7 +16,8 @@ constexpr double kLongestStepS = 20.0e-6;
 constexpr int kLeastSteps = 10;
 constexpr double kReachM = falcon::kReachMm * 0.001;
 
-/// Unrest is a sum of sines, whose rms is exact: so many for each band and axis, one in each equal part of the band.
+/// Number of sines whose sum is the unrest of a band along an axis, one in each equal part of the band. The rms of such
+/// a sum is exact.
 constexpr int kWaves = 5;
 constexpr std::array kTremorHz{7.5, 10.5};
 constexpr std::array kDriftHz{0.1, 2.0};

@@ -47,39 +47,40 @@ inline constexpr std::array<HandFigures, 3> kHands{{
 ///
 ///     (m + m_hand) x'' = F(t - delay) + k (x_ref - x) + b (x_ref' - x') - viscous x' - Coulomb
 ///
-/// Steps of at most 20 us, at least ten per tick. Coulomb friction removes at most the speed of a step, so a grip at
-/// rest sticks until it is pushed harder: Karnopp's model, whose band is here the speed that friction removes in one
-/// step. The position is read like that of the device, from encoder counts of its arms. Weight is neglected: the hand
-/// carries it. At the end of the work area the arms reach their stops.
+/// Integrates in steps of at most 20 us, at least ten per tick. Coulomb friction removes at most the speed of a step,
+/// so a grip at rest sticks until it is pushed harder. This is Karnopp's model; its band is here the speed that
+/// friction removes in one step. The position is read as from the device, from encoder counts of its arms. Weight is
+/// neglected because the hand carries it. At the end of the work area the arms reach their stops.
 ///
 /// The same seed gives the same motion. exchange() and follow() never allocate, lock or wait.
 class SimulatedFalcon final : public HapticDevice
 {
 public:
     /// @param periodS  between two calls of exchange(); 250 us to 4 ms
-    /// @param tipMm    initial position of grip and hand, at rest; tooth frame. For the relation of device and tooth:
-    ///                 falcon/Kinematics.h
+    /// @param tipMm    initial position of grip and hand, at rest, in the tooth frame. See falcon/Kinematics.h for the
+    ///                 device frame
     SimulatedFalcon(const FalconFigures& falcon, const HandFigures& hand, double periodS, std::uint64_t seed,
                     const glm::dvec3& tipMm);
 
-    /// Sets the intended position of the hand at the end of the next tick, without its tremor; the hand moves there
-    /// evenly. The first one is also the position before.
+    /// Sets the intended position of the hand at the end of the next tick, without its tremor. The hand moves there at
+    /// a constant speed. The first call also sets the initial position.
     void follow(const glm::dvec3& wantedMm) noexcept;
 
-    /// Applies the force for one period and reads the position at its end. So a delay of 0 is a servo that computes
-    /// instantly; one that passes a force with its next exchange, as for a real device, has a period of delay.
+    /// Applies the force for one period and reads the position at its end. A delay of 0 thus simulates a servo that
+    /// computes instantly. A servo that passes its force with the next exchange, as with a real device, adds a delay of
+    /// one period.
     DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
 
     /// Returns the exact position of the grip, without rounding to counts.
     [[nodiscard]] glm::dvec3 tipMm() const noexcept { return m_at / kMPerMm; }
-    /// Gives the grip this speed.
+    /// Sets the velocity of the grip.
     void push(const glm::dvec3& mmPerS) noexcept { m_speed = mmPerS * kMPerMm; }
 
 private:
     static constexpr double kMPerMm = 0.001;  ///< internal units are kg, m, s, N
     struct Command
     {
-        std::int64_t due = 0;  ///< step from which on it acts
+        std::int64_t due = 0;  ///< step at which the force begins to act
         glm::dvec3 forceN{0.0};
     };
     struct Wave

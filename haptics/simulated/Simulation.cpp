@@ -14,7 +14,7 @@ namespace {
 using namespace core::session;
 using namespace core::servo;
 
-/// Ticks between two of the session, as in the program: about 100 Hz at 1 kHz.
+/// Number of ticks between two ticks of the session, as in the program: about 100 Hz at 1 kHz.
 constexpr std::uint64_t kTicksPerSession = 10;
 
 }  // namespace
@@ -38,7 +38,7 @@ core::Result<SimulationOutcome> simulate(
     const std::chrono::microseconds period(std::llround(1.0e6 / options.rateHz));
     const auto servoLinks = std::make_unique<ServoChannels>();
     const auto uiLinks = std::make_unique<UiChannels>();
-    // No undo happens here.
+    // A simulation never undoes, so the history needs no memory.
     SessionLoop session(*servoLinks, *uiLinks, options.settings, {options.record, 0});
     ServoLoop servo(device, std::move(*servoTick), *servoLinks, uiLinks->servo, period);
 
@@ -49,7 +49,7 @@ core::Result<SimulationOutcome> simulate(
     session.tick(period);
 
     auto tickTimes = std::make_unique<TickTimes>();
-    // Set until the servo has the tooth, in the first tick.
+    // Set until the servo has taken the tooth, in the first tick.
     std::optional<core::terrain::Tooth> uncut(anatomy);
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
         if (servo.tooth() != nullptr)

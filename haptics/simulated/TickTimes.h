@@ -6,15 +6,15 @@
 
 namespace haptics {
 
-/// A histogram of any number of tick times in constant memory, with bins that widen by 0.3 %. One thread.
+/// A histogram of any number of tick times in constant memory. Each bin is 0.3 % wider than the one before. One thread.
 class TickTimes
 {
 public:
     void add(double microseconds) noexcept;
     void add(const TickTimes& others) noexcept;
 
-    /// Returns the time below which a share of the ticks (0 to 1) is, microseconds, exact to 0.3 % and 0.01; 0 without
-    /// ticks.
+    /// Returns the time that is longer than a share (0 to 1) of the ticks, microseconds, exact to 0.3 % and 0.01; 0
+    /// without ticks.
     [[nodiscard]] double percentileUs(double share) const noexcept;
     /// Returns the longest time, exact.
     [[nodiscard]] double longestUs() const noexcept { return m_longest; }

@@ -23,10 +23,10 @@
 /// A school in memory, for tests of controllers. It checks no permissions: a test sets `refusal` for that.
 namespace support {
 
-/// What all fake repositories have in common.
+/// The base of all fake repositories.
 struct Fake
 {
-    std::optional<core::Error> refusal;  ///< set: every call returns it
+    std::optional<core::Error> refusal;  ///< if set, every call returns it
 
     template <class T>
     [[nodiscard]] core::Result<T> orRefusal(T value) const
@@ -98,7 +98,7 @@ struct FakeComments final : database::CommentRepository, Fake
 {
     std::map<std::int64_t, database::AttemptTalk> talks;  ///< by attempt
     std::vector<database::Feedback> feedback;
-    std::vector<std::int64_t> seen;  ///< attempts
+    std::vector<std::int64_t> seen;  ///< ids of attempts
     std::int64_t lastId = 0;
 
     core::Result<database::AttemptTalk> list(const database::Login&, database::AttemptId id) const override
@@ -214,8 +214,8 @@ struct FakeClasses final : database::ClassRepository, Fake
 struct FakePeople final : database::PeopleRepository, Fake
 {
     std::vector<database::Person> all;
-    database::RosterOutcome outcome;  ///< of import()
-    int imports = 0;                  ///< that were no dry run
+    database::RosterOutcome outcome;  ///< result of import()
+    int imports = 0;                  ///< without dry runs
 
     core::Result<std::vector<database::Person>> list(const database::Login&) const override { return orRefusal(all); }
     core::Result<database::Entered> add(const database::Login&, const database::NewPerson& person,
@@ -266,7 +266,7 @@ struct FakePeople final : database::PeopleRepository, Fake
 struct FakePresets final : database::PresetRepository, Fake
 {
     std::vector<database::KeptPreset> all;
-    std::function<void()> beforeAdd = [] {};  ///< what another station does just before
+    std::function<void()> beforeAdd = [] {};  ///< called before the assignment is added, as a change by another station
 
     core::Result<std::vector<database::KeptPreset>> list(const database::Login&) const override
     {
@@ -274,7 +274,7 @@ struct FakePresets final : database::PresetRepository, Fake
     }
     core::Status add(const database::Login&, const database::KeptPreset& preset) override
     {
-        const auto before = beforeAdd;  // which may replace itself
+        const auto before = beforeAdd;  // a copy, because the function may replace itself
         before();
         for (const auto& one : all)
             if (one.name == preset.name && one.version == preset.version && one.hash != preset.hash)
@@ -288,14 +288,14 @@ struct FakePresets final : database::PresetRepository, Fake
 struct FakeSettings final : database::SettingsRepository, Fake
 {
     database::SettingsMap all;
-    std::function<void()> beforeReplace = [] {};  ///< what another station does just before
+    std::function<void()> beforeReplace = [] {};  ///< called first, as a change by another station
 
     core::Result<database::SettingsMap> read(const database::Login&) const override { return orRefusal(all); }
     core::Result<database::ReplacedSetting> replace(const database::Login&, const std::string& name,
                                                     const std::string& value,
                                                     const std::optional<std::string>& of) override
     {
-        const auto before = beforeReplace;  // which may replace itself
+        const auto before = beforeReplace;  // a copy, because the function may replace itself
         before();
         if (refusal)
             return tl::unexpected(*refusal);
@@ -382,7 +382,7 @@ struct FakeLessons final : database::LessonRepository, Fake
     }
 };
 
-/// Only the database makes logins: nobody can log in here.
+/// Refuses every login, because only the database can make one.
 struct FakeLogins final : database::LoginRepository, Fake
 {
     static core::Result<database::Login> nobody()
@@ -408,7 +408,7 @@ struct FakeLogins final : database::LoginRepository, Fake
     core::Status raiseCost(const database::Login&, const database::PasswordCost&) override { return done(); }
 };
 
-/// Requests wait until answer() is called, so that a test decides what happens in between.
+/// A school in memory. Its requests wait until answer() is called, so that a test decides what happens in between.
 class FakeSchool final : public app::SchoolAccess
 {
 public:
@@ -422,7 +422,7 @@ public:
     FakeMaintenance maintenance;
     FakeLessons lessons;
     FakeLogins logins;
-    std::optional<core::Error> outage;  ///< set: there is no connection
+    std::optional<core::Error> outage;  ///< if set, there is no connection
     int waiting = 0;                    ///< attempts in the outbox
 
     [[nodiscard]] database::Repositories all()
@@ -430,7 +430,7 @@ public:
         return {attempts, comments, classes, people, presets, settings, audit, maintenance, lessons, logins, m_key};
     }
     [[nodiscard]] bool isAsked() const { return !m_jobs.empty(); }
-    /// Answers all requests, and those that follow from the answers.
+    /// Answers all requests, and those that are made while these are answered.
     void answer()
     {
         while (!m_jobs.empty()) {

@@ -20,10 +20,10 @@
 #include "core/tracking/Pose.h"
 #include "core/tracking/TagCells.h"
 
-/// Pictures of something printed, as a known camera sees it, and the files they are kept in.
+/// Pictures of printed sheets as seen by a known camera, and the file formats that hold them.
 namespace support {
 
-/// Takes pictures of a flat print by casting rays, nine a pixel.
+/// Renders pictures of a flat print by ray casting with nine rays per pixel.
 class PrintCamera
 {
 public:
@@ -68,7 +68,7 @@ inline constexpr double kInk = 25.0;
 inline constexpr double kPaper = 215.0;
 inline constexpr double kBackground = 110.0;
 
-/// A tag with its white border before a grey background.
+/// A tag with its white border on a grey background.
 struct TagPrint
 {
     core::tracking::TagCells cells;
@@ -107,7 +107,7 @@ struct BoardPrint
                       static_cast<qsizetype>(picture.pixels.size()));
 }
 
-/// An uncompressed AVI file: its header and its pictures, 30 a second. The width is a multiple of 4.
+/// An uncompressed AVI file of 30 pictures a second: the header and the pictures. The width is a multiple of 4.
 class Avi
 {
 public:
@@ -128,7 +128,7 @@ public:
     [[nodiscard]] QByteArray picture(const core::tracking::Picture& picture) const
     {
         QByteArray rows;
-        for (int y = m_height - 1; y >= 0; --y)  // the lowest row first
+        for (int y = m_height - 1; y >= 0; --y)  // AVI stores the lowest row first
             for (int x = 0; x < m_width; ++x)
                 rows.append(3, static_cast<char>(picture.pixels[static_cast<std::size_t>(y * m_width + x)]));
         return chunk("00db", rows);

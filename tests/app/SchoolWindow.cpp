@@ -107,7 +107,7 @@ void SchoolWindow::start(app::WindowOptions options)
     options.database = place();
     options.asksWho = true;
     begin(options);
-    // While the first tooth is made, its page may open over another that was asked for.
+    // When the first tooth is ready, the program may open its page over one that was requested meanwhile.
     WAIT_FOR(window().view().tooth() != nullptr);
 }
 
@@ -156,7 +156,7 @@ void SchoolWindow::beGuest() const
 
 void SchoolWindow::goToTooth() const
 {
-    // A page that was asked for before may open late, over the practice room.
+    // A page that was requested earlier may open late, over the practice room.
     const auto isThere = [this] {
         if (!window().view().isVisible())
             actions().back->trigger();

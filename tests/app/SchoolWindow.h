@@ -21,7 +21,7 @@ namespace support {
 
 inline const std::string kPassword = "correct horse";
 
-/// An exam in the teacher's folder; it is removed with the object.
+/// An exam in the teacher's folder. The destructor removes its file.
 class Exam
 {
 public:
@@ -42,10 +42,10 @@ private:
     QString m_file = QDir(lessons::teachersFolder()).filePath("exam-36.lesson.json");
 };
 
-/// The school as used by another station.
+/// A connection of another station to the same school.
 struct OtherStation
 {
-    /// @param place  a file with its key beside it, or the address of a server
+    /// @param place  a database file with its key next to it, or the address of a server
     explicit OtherStation(const QString& place);
     [[nodiscard]] database::Login logIn(const std::string& name) const;
     [[nodiscard]] QVariant ask(const QString& query) const
@@ -67,9 +67,8 @@ class SchoolWindow : public ProgramWindow
 {
 protected:
     /// Makes a school with an admin, the teacher Ines, the students Sam and Sue, and a class of Ines and Sam.
-    /// @param server  the address of an empty database; empty: the school is a file
     void makeSchool(const QString& server = {});
-    /// Makes an empty folder with a copy of the school that is a file.
+    /// Makes an empty folder and copies the database file of the school into it.
     void takeCopyOfSchool();
     [[nodiscard]] ui::people::LoginMode door() const { return child<ui::people::LoginPage>()->door(); }
     [[nodiscard]] bool isAtDoor() const { return window().navigation().isAtLogin(); }
@@ -77,20 +76,20 @@ protected:
     void waitForDoorToSay(const QString& words) const;
     [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
     [[nodiscard]] QString place() const { return m_server.isEmpty() ? file() : m_server; }
-    /// Moves the file of the school and the files beside it away.
+    /// Moves the database file of the school and the files that belong to it away.
     void moveAway() const;
     /// Overwrites the database file of the school with noise.
     void damageSchool() const;
-    /// Starts the program with a school, so that it shows the login.
+    /// Starts the program with the school. It shows the login page.
     void start(app::WindowOptions options = {});
     void startAs(const QString& name)
     {
         start();
         logIn(name);
     }
-    /// Types into the login and clicks its button.
+    /// Fills in the login page and clicks its button.
     void typeLogin(const QString& name, const QString& password = QString::fromStdString(kPassword)) const;
-    /// Unlocks, and waits for the answer.
+    /// Enters a password to unlock the window, and waits for the answer.
     void tryPassword(const QString& password = QString::fromStdString(kPassword)) const;
     void logIn(const QString& name) const;
     /// Logs out from any page.
@@ -102,14 +101,14 @@ protected:
     void openAdminPage(ui::admin::AdminPage::Part part) const;
     /// Assigns a lesson to Sam's class, with this number of attempts.
     void assign(const std::string& lesson, int attempts, const std::string& dueUtc = {}) const;
-    /// Grades, and waits until the score is shown with these words about where it is saved.
+    /// Requests the grade, and waits until the score page shows these words about where the grade is saved.
     void grade(const QString& saved) const;
-    /// Grades a lesson, and waits until the school has this number of attempts.
+    /// Grades a lesson, and waits until the database has this number of attempts.
     void gradeLesson(int attempts) const;
-    /// Returns the words of the score page about where the grade is saved.
+    /// Returns the text of the score page about where the grade is saved.
     [[nodiscard]] QString saved() const;
     void waitForSaved(const QString& words) const;
-    /// Opens the list of the user's own attempts, after all earlier requests to the database were answered.
+    /// Opens the list of the user's own attempts after all earlier requests to the database have been answered.
     void openAttempts() const;
     /// Returns the number of rows in the database, read by another connection; -1 if it cannot be read.
     [[nodiscard]] int count(const QString& rows) const;
@@ -119,9 +118,9 @@ protected:
     /// Opens the newest of the listed attempts.
     void openNewest() const;
     [[nodiscard]] int studentsShown() const { return child<QTableView>("matrix")->model()->rowCount(); }
-    /// Saves the score card as a PDF, and waits until that is confirmed.
+    /// Saves the score card as a PDF, and waits for the confirmation.
     void savePdf(const QString& path) const;
-    /// Returns the uid of a person. The person's journals are in a folder of that name.
+    /// Returns the uid of a user. The user's journals are in a folder of that name.
     [[nodiscard]] QString uidOf(const QString& name) const;
     [[nodiscard]] bool isUnfinishedOffered() const;
 

@@ -12,8 +12,8 @@
 
 namespace support {
 
-/// What a force device reports and the position of its hand, as set by a test. The test and the devices of the program
-/// share it.
+/// The state of a force device: its report and the position of the hand. A test sets it, and the device in the program
+/// reads it.
 class DeviceScript
 {
 public:
@@ -120,7 +120,7 @@ private:
     std::shared_ptr<DeviceScript> m_script;
 };
 
-/// The row of a device that follows a script.
+/// Returns the entry of a scripted device for the program's list of devices.
 inline app::DeviceRow scriptedRow(const std::shared_ptr<DeviceScript>& script)
 {
     app::DeviceRow row;

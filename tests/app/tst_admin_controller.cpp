@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The admin's page on fake repositories: what is entered, changed and checked, and answers for an admin who has left.
+// The admin's page on fake repositories: adding, changing and checking, and answers that arrive after the admin has
+// logged out.
 #include <memory>
 
 #include <QFile>
@@ -117,7 +118,7 @@ private slots:
     {
         m_school->people.outcome.people = {rosterPerson(false)};
         choose("username\nnew1\n");
-        m_school->people.outcome.people = {rosterPerson(true)};  // another admin was quicker
+        m_school->people.outcome.people = {rosterPerson(true)};  // another admin has added the user meanwhile
         emit page().roster().enterRequested();
         m_school->answer();
         QCOMPARE(m_school->people.imports, 0);
@@ -175,7 +176,7 @@ private:
     }
     [[nodiscard]] AdminPage& page() const { return m_window->adminPage(); }
     [[nodiscard]] QString said() const { return page().backups().findChild<QLabel*>("backupSaid")->text(); }
-    /// Somebody of the school, whom the page shows.
+    /// Adds a user to the school and shows them on the page.
     void addPerson(const std::vector<ClassId>& classes)
     {
         QVERIFY(m_school->people.add(m_admin, {"s1001", "Sam", "One", Role::Student}, classes));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of attempts, comments and classes on fake repositories: answers that come late, for another user, or not.
+// The pages of attempts, comments and classes on fake repositories: answers that are late, arrive for another user, or
+// do not arrive.
 #include <memory>
 
 #include <QFile>
@@ -150,7 +151,7 @@ private slots:
         const AttemptTalk& talk = m_school->comments.talks[kAttempt];
         QCOMPARE(talk.comments.size(), std::size_t{1});
         QCOMPARE(talk.comments.front().words, std::string("well done"));
-        QVERIFY(m_school->comments.seen.empty());  // by the student
+        QVERIFY(m_school->comments.seen.empty());  // only the student's own look marks a comment as seen
     }
 
     void aScoreIsNotGivenOverOneThatTheTeacherHasNotSeen()
@@ -245,13 +246,13 @@ private:
         m_school->attempts.all.push_back(record);
         return record;
     }
-    /// As the score page does when it shows a saved attempt.
+    /// Opens a comment panel as the score page does when it shows a saved attempt.
     void openAttempt(const database::Login& of)
     {
         m_history->talkAbout(addAttempt(of));
         m_school->answer();
     }
-    /// The catalog is read on another thread.
+    /// Waits for the request: the catalog is read on another thread first.
     void waitUntilAsked() const { QTRY_VERIFY(m_school->isAsked()); }
     void openOwn()
     {

@@ -47,12 +47,12 @@ private slots:
         QFETCH(const bool, may);
         std::optional<bool> decided;
         m_limit->ask(lesson.toStdString(), [&](bool is) { decided = is; });
-        QVERIFY(!decided);  // the school has not answered
+        QVERIFY(!decided);  // the database has not answered yet
         m_fake->answer();
         QCOMPARE(decided, std::optional(may));
     }
 
-    /// A lost database stops no student; the attempt is counted when it is back.
+    /// A student may begin an attempt while the connection is lost. The attempt is counted when the database is back.
     void mayBeginWhileTheDatabaseIsLost()
     {
         m_fake->outage = core::Error{core::ErrorCode::ConnectionLost, "gone"};
@@ -87,7 +87,7 @@ private slots:
         QCOMPARE(usedUp.count(), 1);
     }
 
-    /// The student has chosen another tooth while the school was asked.
+    /// The student has chosen another tooth while the request was pending.
     void aLaterRequestDropsTheAnswer()
     {
         const QSignalSpy usedUp(m_limit.get(), &AttemptLimit::usedUp);

@@ -158,7 +158,7 @@ private slots:
 
     void noDisplayIsNeeded()
     {
-        // Even where Qt is told to use one that is not there.
+        // The command needs no display, even if Qt's settings name one that does not exist.
         for (const char* platform : {"QT_QPA_PLATFORM=xcb", "QT_QPA_PLATFORM=wayland", "DISPLAY=:4711"}) {
             const Ending ending = runCusp({"bench", "volume", "--json"}, {platform});
             QVERIFY2(ending.exitCode == 0 && !ending.json().isEmpty(), ending.error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The life of an attempt, without a window: every transition, an exam, a resumed attempt, an undone mistake.
+// The life cycle of an attempt, without a window: every transition, an exam, a resumed attempt, an undone mistake.
 #include <QTest>
 
 #include "app/attempt/CurrentAttempt.h"
@@ -44,7 +44,7 @@ lessons::Assignment exam()
     return made;
 }
 
-/// The work at the attempt of a generation, after so many ticks.
+/// Returns a snapshot of the attempt of a generation after a number of ticks.
 std::optional<AttemptSnapshot> work(std::uint64_t generation, std::uint64_t ticks = 0)
 {
     core::session::Findings findings;
@@ -94,7 +94,7 @@ private slots:
         QVERIFY(m_attempt.hasTooth() && !m_attempt.isExam() && !m_attempt.isGraded());
         QVERIFY(m_attempt.settle());
         QCOMPARE(m_attempt.state(), State::Settling);
-        QVERIFY(!m_attempt.settle());  // a second press on "Grade" starts no second grade
+        QVERIFY(!m_attempt.settle());  // a second click on "Grade" does not start a second grading
         m_attempt.conclude([] { return work(3, 40); }, false);
         QCOMPARE(m_attempt.state(), State::Predicting);
         const auto toGrade = m_attempt.grade();
@@ -121,7 +121,7 @@ private slots:
         QCOMPARE(m_attempt.state(), State::Graded);
     }
 
-    /// A student who leaves the prediction and cuts on is graded as they are when they ask again.
+    /// If the student leaves the prediction page and cuts on, the work is graded as it is at the next request.
     void canBeAskedAgainBeforeThePrediction()
     {
         m_attempt.begin(1, practice(), {});
@@ -130,7 +130,7 @@ private slots:
         QCOMPARE(m_attempt.grade()->findings.ticks, 20U);
     }
 
-    /// After a grade the student cuts on: another grade of the same tooth.
+    /// After a grade the student can cut on and get another grade for the same tooth.
     void canBeGradedTwice()
     {
         m_attempt.begin(1, practice(), {});
@@ -166,7 +166,7 @@ private slots:
         QCOMPARE(m_attempt.state(), State::Ready);
     }
 
-    /// The assessment runs a little behind: its answer may be about the tooth before.
+    /// The assessment lags slightly behind, so its answer may still be about the previous tooth.
     void workAtAnotherToothIsNotGraded()
     {
         m_attempt.begin(7, practice(), {});
@@ -189,7 +189,7 @@ private slots:
         QVERIFY(!m_attempt.startExam());
         QVERIFY(!m_attempt.answerExam(1, true));
         QCOMPARE(m_attempt.exam(), Exam::Counted);
-        QVERIFY(!m_attempt.answerExam(1, false));  // a late second answer
+        QVERIFY(!m_attempt.answerExam(1, false));  // a second answer that arrives late
         QCOMPARE(m_attempt.exam(), Exam::Counted);
     }
 
@@ -213,13 +213,13 @@ private slots:
         QCOMPARE(m_attempt.exam(), Exam::Checking);
     }
 
-    /// After a kill: the exam had been counted when it began.
+    /// After a kill: the exam was counted when it began.
     void aResumedExamIsCountedAlready()
     {
         m_attempt.begin(1, exam(), {});
         m_attempt.resume(1000, {});
         QVERIFY(m_attempt.isResumed());
-        QVERIFY(m_attempt.startExam());  // the database is told again: it may not know of it yet
+        QVERIFY(m_attempt.startExam());  // the database is told again, because it may not know of the exam yet
         QCOMPARE(m_attempt.exam(), Exam::Counted);
         QVERIFY(!m_attempt.seenBefore());
     }
@@ -232,7 +232,7 @@ private slots:
         QVERIFY(!m_attempt.startExam());
     }
 
-    /// Once its time is over, what is graded is the work as it was then, however often the student asks.
+    /// When the time of an exam is over, the work of that moment is graded, however often the student requests it.
     void theEndOfAnExamIsFixed()
     {
         m_attempt.begin(1, exam(), {});
@@ -254,7 +254,7 @@ private slots:
         QVERIFY(first);
         QCOMPARE(first->tick, 11U);
         QVERIFY(!m_attempt.nextViolation(found));
-        // Undone, and done again: that is another one.
+        // A violation that was undone and is repeated counts as a new one.
         found.push_back(violation(slight, 30));
         QCOMPARE(m_attempt.nextViolation(found)->tick, 30U);
         QVERIFY(!m_attempt.nextViolation(found));

@@ -9,13 +9,14 @@
 using support::Ending;
 using support::runCusp;
 
-/// Runs the demonstration where no window can be drawn, or only on a display of its own.
+/// Runs `cusp demo` without a display, or with one that it starts itself.
 class TestDemoCommand : public QObject
 {
     Q_OBJECT
 
 private slots:
-    /// The one attempt that all look at; offscreen, as scripts set it, is no reason to draw nothing.
+    /// Makes the one attempt that all tests inspect. QT_QPA_PLATFORM=offscreen, which scripts often set, must not stop
+    /// the command from drawing.
     void initTestCase()
     {
         const Ending ending =
@@ -34,7 +35,7 @@ private slots:
     void withoutAPictureAllElseIsThere()
     {
         const QTemporaryDir folder;
-        const Ending ending = runCusp({"demo", "--out", folder.path()}, {"PATH=/nowhere"});  // no xvfb-run
+        const Ending ending = runCusp({"demo", "--out", folder.path()}, {"PATH=/nowhere"});  // no xvfb-run is found
         QCOMPARE(ending.exitCode, 1);
         QVERIFY2(ending.error.startsWith("cusp: The picture could not be drawn") && ending.error.count('\n') == 1,
                  ending.error);

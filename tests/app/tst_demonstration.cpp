@@ -6,7 +6,7 @@
 #include "core/recording/Recording.h"
 #include "lessons/LessonCatalog.h"
 
-/// What a simulated hand makes of lessons.
+/// The attempts that a simulated hand makes at lessons.
 class TestDemonstration : public QObject
 {
     Q_OBJECT
@@ -35,7 +35,7 @@ private slots:
         QTest::newRow("exam, Class II") << "exam-36-class2";
     }
 
-    /// Nearly full marks, and twice the same attempt, made for the lesson.
+    /// The result earns nearly full marks, and two runs give the same attempt.
     void cutsTheIdeal()
     {
         QFETCH(QString, lesson);
@@ -48,7 +48,7 @@ private slots:
         QVERIFY(marked->outcome.agreesWithWitness);
         QVERIFY2(marked->mark.sheet.totalTenths >= 980, qPrintable(QString::number(marked->mark.sheet.totalTenths)));
         QVERIFY(marked->conduct.infractions.empty());
-        // Beside the tooth, a tick takes less room than the three floats of its position.
+        // Without the tooth, a tick takes less room than the three floats of its position.
         const core::recording::Recording begun(first->recording->settings(), assignment.anatomy,
                                                assignment.lesson->json);
         const std::size_t work = first->recording->toBytes().size() - begun.toBytes().size();

@@ -15,7 +15,7 @@ using support::runCusp;
 
 namespace {
 
-/// A table, with the numbers of a row by the name of their column.
+/// The rows of a table; each maps the name of a column to a number.
 using Table = std::vector<std::map<QByteArray, double>>;
 
 Table parsed(const QByteArray& csv)
@@ -37,12 +37,12 @@ Table parsed(const QByteArray& csv)
 
 }  // namespace
 
-/// Runs falcon as a user does.
+/// Runs `cusp falcon` as a user does.
 class TestFalconCommand : public QObject
 {
     Q_OBJECT
 private slots:
-    /// The angles and torques of the table are those of another implementation of the same mechanism.
+    /// Compares the angles and torques with those of another implementation of the same mechanism.
     void kinematicsAreThoseOfTheMechanism()
     {
         const QString vectors = QString::fromStdString(support::sharedData("falcon_kinematics.csv"));
@@ -70,7 +70,7 @@ private slots:
 
     void whatIsOutOfReachHasNoNumbers()
     {
-        // Columns in another order, with one more, a semicolon between them and spaces.
+        // The columns are in another order, with one more, and separated by semicolons and spaces.
         expectDone(runCusp({"falcon", "kinematics",
                             write("fz_N;note;x_m;y_m;z_m;fx_N;fy_N\n1; far ; 0.3;0;0.12;0;0\n-2;near;0;0; 0.12;0;0\n"),
                             out()}));
@@ -79,7 +79,7 @@ private slots:
         QCOMPARE(table[0].at("reachable"), 0.0);
         QVERIFY(std::isnan(table[0].at("theta1_rad")) && std::isnan(table[0].at("fk_z_m")));
         QCOMPARE(table[1].at("reachable"), 1.0);
-        // On the axis the arms are alike, and a push towards the device turns each of them inwards.
+        // On the axis all three arms have the same angle, and a push towards the device turns each of them inwards.
         QVERIFY(std::abs(table[1].at("tau1_Nm") - table[1].at("tau3_Nm")) < 1.0e-9);
         QVERIFY(table[1].at("tau1_Nm") < 0.0);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands about a Falcon, run as a user runs them, with an emulated Falcon in place of the USB.
+// The `cusp falcon` commands, run as a user does, with an emulated Falcon in place of the USB device.
 #include <cmath>
 #include <csignal>
 
@@ -56,7 +56,7 @@ private:
         QVERIFY(file.open(QIODevice::Append));
         file.write(lines + '\n');
     }
-    /// The values of a line of the emulator's state; empty if there is none.
+    /// Returns the values of one line of the emulator's state; empty if there is no such line.
     [[nodiscard]] QByteArrayList state(const QByteArray& name) const
     {
         QFile file(m_folder->filePath(QStringLiteral("state")));
@@ -72,14 +72,14 @@ private:
         const QByteArrayList motors = state("motors");
         return motors.size() == 3 && motors != QByteArrayList{"0", "0", "0"};
     }
-    /// Whether the grip is at this distance from the base.
+    /// Returns whether the grip is at this distance from the base.
     [[nodiscard]] bool isAt(double zMm) const
     {
         const QByteArrayList grip = state("grip");
         return grip.size() == 3 && std::abs(grip[2].toDouble() - zMm) < 0.1;
     }
-    /// Pulls the grip out and pushes it in past the index marks, as soon as the program waits for that, until a
-    /// condition holds.
+    /// Homes the grip repeatedly until a condition holds: when the program waits for it, pulls the grip out and pushes
+    /// it in past the index marks.
     template <class Condition>
     [[nodiscard]] bool homeUntil(Condition condition)
     {
@@ -205,7 +205,7 @@ void TestFalconProgram::rulesPrintsTheUdevRule()
     expectDone(ending);
     QVERIFY(ending.out.contains("ATTR{idVendor}==\"0403\""));
     QVERIFY(ending.out.contains("ATTR{idProduct}==\"cb48\""));
-    // The file that an installation puts in its place has the same rule.
+    // The installed rules file contains the same rule.
     QFile shipped(QStringLiteral(CUSP_SOURCE_DIR "/packaging/70-cusp-falcon.rules"));
     QVERIFY(shipped.open(QIODevice::ReadOnly));
     QCOMPARE(shipped.readAll().trimmed().split('\n').last(), ending.out.trimmed().split('\n').last());
@@ -286,7 +286,7 @@ void TestFalconProgram::calibrateFindsAngleScaleAndWeight()
     command("hand light");
     program.write("\n");
     QTRY_VERIFY_WITH_TIMEOUT(hasAsked(4), kPatienceMs);
-    // The light hand is a spring of 60 N/m: it hangs on the grip like 200 g.
+    // The light hand is a spring of 60 N/m. It pulls at the grip like a weight of 200 g.
     program.write("\n");
     command("grip 0 -32.7 125 0.5");
     QVERIFY(program.waitForFinished(kPatienceMs));

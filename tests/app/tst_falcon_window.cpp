@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An emulated Falcon in the whole program, through libusb's own functions: chosen on the page, homed, in a lesson, out
-// of its plug and back.
+// An emulated Falcon in the whole program, driven through libusb's own functions: selected on the page, homed, used in
+// a lesson, unplugged and plugged in again.
 #include <QLabel>
 #include <QSlider>
 
@@ -44,7 +44,7 @@ private slots:
         begin(options);
         waitForTooth();
 
-        // Chosen, and homed by the hand.
+        // Selects the Falcon and homes it by hand.
         actions().devices->trigger();
         waitForPage<ui::devices::DevicesPage>();
         child<ui::devices::HandList>("hands")->selectHand("falcon");
@@ -56,7 +56,7 @@ private slots:
         WAIT_FOR(isAt(falcon));
         QVERIFY(child<QLabel>("forceDevice")->isVisible());
 
-        // It cuts while its button is held, and the hand feels the tooth.
+        // The bur cuts while the button of the grip is held, and the hand feels the tooth.
         const QString before = removed();
         falcon.setButton(Button::Centre, true);
         for (double z = 2.0; z > -5.0 && removed() == before; z -= 0.1) {
@@ -67,7 +67,7 @@ private slots:
         WAIT_FOR(falcon.state().forceN.y > 0.05 || servo().touching);
         const std::uint64_t attempt = servo().toothGeneration;
 
-        // Out of its plug in the middle of a cut: the bur is lifted, and the mouse goes on.
+        // The Falcon is unplugged in the middle of a cut: the bur is lifted, and the mouse takes over.
         falcon.unplug();
         waitForMessage("Falcon");
         WAIT_FOR(child<QSlider>("feed")->isVisible());
@@ -76,7 +76,7 @@ private slots:
         const QString lost = message();
         falcon.setButton(Button::Centre, false);
 
-        // Back again.
+        // The Falcon is plugged in again.
         falcon.plug();
         falcon.moveTip({0.0, 0.0, 8.0}, 5ms);
         WAIT_FOR(homed(falcon) && message() != lost);
@@ -84,7 +84,7 @@ private slots:
         WAIT_FOR(isAt(falcon));
         QCOMPARE(servo().toothGeneration, attempt);
 
-        // Its buttons.
+        // The buttons of the grip undo and redo.
         WAIT_FOR(actions().undo->isEnabled());
         falcon.setButton(Button::Minus, true);
         WAIT_FOR_VALUE(removed(), before);
@@ -112,7 +112,7 @@ private slots:
         WAIT_FOR(child<QLabel>("restHeight")->text().contains("20 mm above"));
         actions().back->trigger();  // to the devices
         actions().back->trigger();  // to the tooth
-        // The hand is 6 mm above the top of the tooth now.
+        // The hand is now 6 mm above the top of the tooth.
         falcon.moveTip({0.0, 0.0, 26.0}, 100ms);
         WAIT_FOR(glm::distance(servo().deviceMm, glm::dvec3(0.0, 0.0, 6.0)) < 0.7);
     }
@@ -138,7 +138,7 @@ private slots:
     }
 
 private:
-    /// Moves the grip past its index marks until the device is homed.
+    /// Moves the grip past its index marks once. Returns whether the device is homed.
     static bool homed(EmulatedFalcon& falcon)
     {
         if (!falcon.state().allHomed())

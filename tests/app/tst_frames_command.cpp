@@ -4,7 +4,8 @@
 
 #include "tests/support/Program.h"
 
-/// `cusp frames` as a user runs it. Its times are this machine's; what goes to the driver is the program's.
+/// Runs `cusp frames` as a user does. The reported times depend on this computer; what the program sends to the driver
+/// does not.
 class TestFramesCommand : public QObject
 {
     Q_OBJECT

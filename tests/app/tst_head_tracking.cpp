@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Head tracking in the whole program, with a video in the place of the camera.
+// Head tracking in the whole program, with a video in place of the camera.
 #include <QCheckBox>
 #include <QDir>
 #include <QFile>
@@ -28,12 +28,12 @@ constexpr int kWide = 320;
 constexpr int kHigh = 240;
 constexpr int kTagId = 7;
 constexpr int kHz = 30;
-constexpr double kAwayMm = 100.0;  ///< to the user's left, which is the camera's right
+constexpr double kAwayMm = 100.0;  ///< to the user's left, which is to the right in the picture
 constexpr double kFarMm = 400.0;
 
 constexpr int kSteps = 12;
 
-/// A head that goes aside.
+/// Returns pictures of a head that moves aside.
 std::vector<Picture> headThatGoesAside()
 {
     const support::PrintCamera camera(core::tracking::CameraModel::withFieldOfView(kWide, kHigh, 60.0));
@@ -48,7 +48,7 @@ std::vector<Picture> headThatGoesAside()
     return pictures;
 }
 
-/// One that is in the middle for two seconds, goes aside in one, and stays there for six.
+/// Returns a video of a head that is in the middle for two seconds, moves aside in one second, and stays there for six.
 QByteArray videoOfAHead()
 {
     const std::vector<Picture> pictures = headThatGoesAside();
@@ -61,7 +61,7 @@ QByteArray videoOfAHead()
     return bytes;
 }
 
-/// The same as images.
+/// Returns the same pictures as images.
 QList<QByteArray> picturesOfAHead()
 {
     QList<QByteArray> images;
@@ -93,10 +93,11 @@ private slots:
         start();
         const double straightDeg = azimuthDeg();
         use({.isOn = true, .video = m_video, .tagId = kTagId});
-        // 100 mm at 400 mm are 14 degrees, doubled. To the left the azimuth falls.
+        // A head 100 mm aside at 400 mm is at 14 degrees, which the view doubles. Moving to the left decreases the
+        // azimuth.
         WAIT_FOR(azimuthDeg() < straightDeg - 20.0);
         QVERIFY(actions().recentreHead->isVisible());
-        // The video ends, and with it the tag.
+        // The video ends, so the tag is no longer seen.
         WAIT_FOR(std::abs(azimuthDeg() - straightDeg) < 1e-9);
     }
 
@@ -146,7 +147,7 @@ private slots:
         QVERIFY(ui::kit::memory().value("head/on").toBool());
     }
 
-    /// The tag of the video is 400 mm away, and the user says that it is 500 mm.
+    /// The tag in the video is at 400 mm, but the user enters 500 mm.
     void theFieldOfViewIsMeasuredAndStoredForTheCamera()
     {
         start();
@@ -156,7 +157,7 @@ private slots:
         use({.isOn = true, .video = m_video, .tagId = kTagId});
         WAIT_FOR(child<QPushButton>("measureFieldOfView")->isEnabled());
         click("measureFieldOfView");
-        // f = 277 px * 500 / 400, and half of 320 px is seen under 24.8 degrees.
+        // The focal length is 277 px * 500 / 400, and half of the 320 px is seen at 24.8 degrees.
         WAIT_FOR(std::abs(card().settings().fovDeg - 49.6) < 1.5);
         const double measuredDeg = card().settings().fovDeg;
         HeadTrackingSettings other = card().settings();
@@ -204,7 +205,7 @@ private slots:
         use(other);
         QCOMPARE(card().settings().calibration, path);
 
-        // One that is for pictures of another size is told on the page, and one that is none is not taken.
+        // The page warns of a calibration for another size of picture, and rejects a file that is not a calibration.
         camera = core::tracking::CameraModel::withFieldOfView(640, 480, 50.0);
         QVERIFY(app::writeCameraCalibration(path, camera));
         actions().devices->trigger();
@@ -273,7 +274,7 @@ private:
         WAIT_FOR(servo().tick > 0);
     }
     [[nodiscard]] HeadTrackingCard& card() const { return child<ui::devices::DevicesPage>()->headTracking(); }
-    /// As if the user had chosen all of this on the page.
+    /// Applies settings as if the user had made them on the page.
     void use(const HeadTrackingSettings& settings) const { emit card().settingsChanged(settings); }
     [[nodiscard]] double azimuthDeg() const { return window().view().camera().azimuthDeg(); }
 

@@ -15,7 +15,7 @@
 using support::Ending;
 using support::runCusp;
 
-/// The parts of `cusp lesson` that write files, run as a teacher does.
+/// Runs the subcommands of `cusp lesson` that write files, as a teacher does.
 class TestLessonCommand : public QObject
 {
     Q_OBJECT
@@ -60,7 +60,8 @@ private slots:
         const Ending told = runCusp({"lesson", "check", lesson});
         QVERIFY2(told.out.contains("mine.lesson.json, expert.recording: expert.cusprec"), told.out.constData());
         QVERIFY(told.out.contains("is sound"));
-        // A lesson has an id as well as a file; what is neither is one more line, and no end.
+        // A lesson can be named by its id as well as by its file. A name that is neither gives one more line in the
+        // output and does not end the command.
         const Ending named = runCusp({"lesson", "check", "class1-99", "block-line", "--json"});
         QCOMPARE(named.exitCode, 1);
         const QJsonArray both = named.json()["lessons"].toArray();
@@ -77,14 +78,15 @@ private slots:
         QCOMPARE(captured.json()["outline_mm"].toDouble(), 0.4);
         QCOMPARE(captured.json()["sources"].toArray().size(), 1);
         QVERIFY(captured.json()["columns"].toInt() > 10);
-        // That tooth is none that a lesson could name: it says so, and leaves nothing behind.
+        // The lesson has no way to name that tooth. The command says so and writes nothing.
         const QString out = file("mine.lesson.json");
         expectRefusal(runCusp({"lesson", "new", "--id", "mine", "--from", "class1-36", "--captured",
                                file("own.cuspideal"), "--out", out}),
                       "ideal.captured: \"own.cuspideal\" was captured on the tooth");
         QVERIFY(!QFileInfo::exists(out));
 
-        // On one of ours it is there to be cut, whether that is said or not, and its tolerances go along.
+        // An ideal captured on a tooth of the program makes a lesson on that tooth, whether or not the tooth is given.
+        // The tolerances are taken over.
         const QString work = file("work");
         QVERIFY(runCusp({"demo", "--lesson", "class1-24", "--out", work}).exitCode != 2);
         expectDone(runCusp(
@@ -108,7 +110,7 @@ private slots:
 
     void aScanGoesIntoALesson()
     {
-        // Any mesh of a tooth will do.
+        // Any mesh of a tooth serves as a scan.
         const QString scan = file("tooth.obj");
         expectDone(runCusp({"tooth", "36", "--export", scan}));
         const QString out = file("course/scan.lesson.json");
@@ -116,11 +118,11 @@ private slots:
         const QStringList begin{"lesson", "new", "--id", "scan", "--tooth", scan, "--out", out};
         expectDone(runCusp(begin + QStringList{"--unit", "mm", "--up", "+z", "--fdi", "36"}));
         QCOMPARE(checkedLesson(out)["tooth"].toString(), QString("tooth.obj"));
-        // A scan of no use is not left beside.
+        // An unusable scan is not copied next to the lesson.
         const QString noise = written("noise.stl", "hello");
         expectRefusal(runCusp({"lesson", "new", "--id", "a", "--tooth", noise, "--out", file("course/a.lesson.json")}));
         QVERIFY(!QFileInfo::exists(file("course/noise.stl")) && !QFileInfo::exists(file("course/a.lesson.json")));
-        // One that is spoilt later is told with its key.
+        // If the scan is damaged later, the check names its key.
         written("course/tooth.obj", "hello");
         const Ending told = runCusp({"lesson", "check", out});
         QVERIFY2(told.exitCode == 1 && told.error.contains("scan.lesson.json tooth.scan: "), told.error.constData());
@@ -138,14 +140,15 @@ private slots:
                 {"id": "target", "measure": "target_removed_percent", "side": "under", "target": 100, "weight": 60},
                 {"id": "decay", "measure": "caries_left_percent", "weight": 40}]}})");
         QVERIFY2(noted.contains("gets 60.0 of 100 points, because of decay (cannot be measured here)"), noted);
-        // Decay as well; what is about the way of an attempt, nobody knows beforehand.
+        // Decay is measured here. A criterion about the course of an attempt cannot be measured beforehand.
         const QByteArray held = told(R"({"format": 1, "based_on": "decay-36-1-small.lesson.json", "id": "held",
             "rubric": {"id": "held", "title": "Held", "criteria": [
                 {"id": "left", "measure": "caries_left_percent", "weight": 50},
                 {"id": "start", "measure": "time_to_first_cut_s", "tolerance": 60, "weight": 20},
                 {"id": "hold", "measure": "hold_longest_s", "side": "under", "target": 5, "weight": 30}]}})");
         QVERIFY2(held.contains("gets 70.0 of 100 points, because of hold (cannot be measured here)"), held);
-        // An expert's recording that cannot be replayed: the lesson can be given without it, and the teacher is told.
+        // The expert's recording cannot be replayed. The lesson stays usable without it, and the check warns the
+        // teacher.
         written("expert.cusprec", "CUSPREC");
         const QByteArray led = told(R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "led",
             "expert": {"recording": "expert.cusprec"}})");
@@ -211,14 +214,14 @@ private slots:
         QVERIFY(packed.out.contains("mine.lesson.json"));
         expectDone(runCusp({"lesson", "unpack", pack, "--folder", file("theirs")}));
         expectDone(runCusp({"lesson", "check", file("theirs/mine.lesson.json")}));
-        // And without being unpacked, where the packs of a folder are looked for.
+        // The pack is also found without being unpacked, if it is in a folder that is searched for packs.
         const Ending listed =
             runCusp({"lesson", "list", "--folder", m_folder->path(), "--json"}, {"XDG_CACHE_HOME=" + file("cache")});
         bool offered = false;
         for (const QJsonValue entry : listed.json()["lessons"].toArray())
             offered = offered || entry.toObject()["id"].toString() == "mine";
         QVERIFY(offered);
-        // A damaged one is refused, and nothing is written.
+        // A damaged pack is refused, and nothing is written.
         QFile damaged(pack);
         QVERIFY(damaged.resize(damaged.size() / 2));
         expectRefusal(runCusp({"lesson", "unpack", pack, "--folder", file("nobody")}), "course.cusplessons");

@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Counts its beats, and oversleeps when told to.
+/// Counts its ticks, and takes too long for one when told to.
 class CountingLoop final : public core::rt::Loop
 {
 public:
@@ -51,11 +51,11 @@ private slots:
             QTRY_VERIFY(loop.ticks > 50);
             QCOMPARE(loop.begins.load(), 1);
             QCOMPARE(loop.ends.load(), 0);
-        }  // asks and waits
+        }  // the destructor requests the stop and waits
         QCOMPARE(loop.ends.load(), 1);
         QVERIFY(loop.onlyWhole);
         const int stopped = loop.ticks;
-        std::this_thread::sleep_for(20ms);  // in which it would tick 20 times
+        std::this_thread::sleep_for(20ms);  // long enough for 20 ticks
         QCOMPARE(loop.ticks.load(), stopped);
     }
 
@@ -73,7 +73,7 @@ private slots:
         thread.requestInterruption();
         thread.wait();
         const auto passed = std::chrono::steady_clock::now() - start;
-        // Every period is told once: the ticks missed came as one longer step, not as a burst.
+        // The steps add up to the time that has passed: the missed ticks came as one longer step, not as a burst.
         QVERIFY(loop.toldUs <= std::chrono::duration_cast<std::chrono::microseconds>(passed).count() + 2000);
         QVERIFY(loop.ticks <= passed / 1ms - 90);
         QVERIFY(loop.onlyWhole);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole program with a mouse, a pen, a keyboard or a gamepad alone: one lesson of each kind, from the list of
-// lessons to the score and back.
+// The whole program operated with a mouse, a pen, a keyboard or a gamepad alone: one lesson of each kind, from the list
+// of lessons to the score and back.
 #include <array>
 #include <memory>
 #include <string>
@@ -38,13 +38,13 @@ using support::VirtualController;
 
 namespace {
 
-/// One shipped lesson of each task, and of them one that is an exam.
+/// One shipped lesson of each task; one of them is an exam.
 constexpr std::array kKinds{"orientation-3-layers", "orientation-1-touch", "orientation-2-hold",
                             "block-line",           "class1-36",           "exam-36-decay"};
 
 constexpr std::array kDevices{"mouse", "pen", "keyboard", "gamepad"};
 
-/// A bur that has not reached the tooth after so long is lifted, and pushed again.
+/// ms after which a bur that has not reached the tooth is lifted and pushed again.
 constexpr int kSecondPushMs = 5000;
 
 QModelIndex indexOf(const QListView& list, const QString& lesson)
@@ -55,7 +55,7 @@ QModelIndex indexOf(const QListView& list, const QString& lesson)
     return {};
 }
 
-/// A person who has one input device only.
+/// A user who has only one input device.
 class Hand
 {
 public:
@@ -65,16 +65,16 @@ public:
     Hand& operator=(const Hand&) = delete;
 
     virtual void press(QWidget& button) = 0;
-    /// Presses what opens the lessons from the practice room.
+    /// Presses the button that opens the lessons from the practice room.
     virtual void openLessons(QWidget& button) { press(button); }
     /// Selects the lesson with this title in the list and starts it.
     virtual void start(QListView& list, const QString& lesson, QWidget& button) = 0;
     virtual void raiseSlider(QSlider& slider) = 0;
-    /// Sets the force from the 0.6 N of the beginning to 1.1 N.
+    /// Raises the force from the default of 0.6 N to 1.1 N.
     virtual void raiseForce(QSlider& slider) = 0;
     virtual void grade(QWidget& button) { press(button); }
     virtual void goBack(QWidget& button) { press(button); }
-    /// Pushes the bur down, and lifts it again.
+    /// Pushes the bur down; lift() raises it again.
     virtual void push(ui::tooth::ToothView& view, glm::dvec3 placeMm) = 0;
     virtual void lift(ui::tooth::ToothView& view) = 0;
 
@@ -82,7 +82,7 @@ protected:
     QWidget& m_window;
 };
 
-/// What has a place on the screen: mouse and pen.
+/// An input device that points at a position on the screen: mouse or pen.
 class PointingHand : public Hand
 {
 public:
@@ -90,7 +90,7 @@ public:
     void press(QWidget& button) override { tap(button, button.rect().center()); }
     void start(QListView& list, const QString& lesson, QWidget& button) override
     {
-        // The list is filled anew when the school has answered.
+        // The list is filled again when the database has answered.
         const auto isChosen = [&] { return list.currentIndex().data().toString() == lesson; };
         const auto choose = [&] {
             const QModelIndex index = indexOf(list, lesson);
@@ -138,7 +138,7 @@ protected:
     void up(QPoint at) override { QTest::mouseRelease(m_window.windowHandle(), Qt::LeftButton, {}, at); }
 };
 
-/// What the window does not take from the pen, it gets as the mouse: so does Qt.
+/// A pen. An event that the window does not accept from the pen is sent again as a mouse event, as Qt does.
 class PenHand final : public PointingHand
 {
 public:
@@ -179,7 +179,7 @@ private:
                           1};
 };
 
-/// What goes from control to control: keyboard and gamepad.
+/// An input device that moves the focus from control to control: keyboard or gamepad.
 class SteppingHand : public Hand
 {
 public:
@@ -226,14 +226,14 @@ protected:
         QVERIFY2(widget.hasFocus(), qPrintable(QStringLiteral("the focus does not come to %1 %2")
                                                    .arg(widget.metaObject()->className(), widget.accessibleName())));
     }
-    /// Whether the focus is on another button of the group of a button.
+    /// Returns whether the focus is on another button of the same button group.
     static bool isBeside(const QWidget& wanted)
     {
         const auto* now = qobject_cast<QAbstractButton*>(QApplication::focusWidget());
         const auto* button = qobject_cast<const QAbstractButton*>(&wanted);
         return now != nullptr && button != nullptr && now->group() != nullptr && now->group() == button->group();
     }
-    /// Takes the next step towards a control: to the next one, or to the next button of the same group.
+    /// Takes the next step towards a control: moves the focus to the next control, or to the next button of the group.
     virtual void step(const QWidget& /*wanted*/) { next(); }
 };
 
@@ -308,7 +308,7 @@ protected:
     }
 
 private:
-    /// Presses a button until it has been seen, and releases it.
+    /// Holds a gamepad button until the program has seen it, and releases it.
     void tap(int button)
     {
         const auto isHeld = [&] {
@@ -374,7 +374,7 @@ private slots:
         doLessons({kKinds.begin(), kKinds.end()}, device);
     }
 
-    /// At night each lesson with one of the inputs in turn.
+    /// Does every lesson with one of the input devices in turn. Runs at night only.
     void everyLessonIsFinished_data() { addHands(); }
     void everyLessonIsFinished()
     {
@@ -390,7 +390,7 @@ private slots:
         doLessons(some, device);
     }
 
-    /// Who has a pen without buttons looks from another side by the letters in the corner of the view.
+    /// A user whose pen has no buttons turns the view by the letters in its corner.
     void aPenChoosesASide()
     {
         start();
@@ -403,9 +403,9 @@ private slots:
         const auto hasTurned = [&] {
             return view.camera().elevationDeg() != elevationDeg || view.camera().azimuthDeg() != azimuthDeg;
         };
-        constexpr int kCornerPx = 104;  // of the view: the letters are in it
+        constexpr int kCornerPx = 104;  // px of the view, in which the letters are
         constexpr int kStepPx = 4;
-        // They are there when the view has been drawn.
+        // The letters appear when the view has been drawn.
         const auto tapAll = [&] {
             for (int x = 0; x < kCornerPx && !hasTurned(); x += kStepPx)
                 for (int y = 0; y < kCornerPx && !hasTurned(); y += kStepPx)
@@ -434,7 +434,7 @@ private:
             m_hand = std::make_unique<PadHand>(window(), window().devicesPage().pedals());
     }
 
-    /// The button for an action that is visible now, or null.
+    /// Returns the visible and enabled button of an action, or null.
     [[nodiscard]] QAbstractButton* buttonFor(const QAction& action) const
     {
         for (auto* button : window().findChildren<QAbstractButton*>())
@@ -460,7 +460,7 @@ private:
         }
     }
 
-    /// Chooses a lesson, works at it, grades it, and leaves the score.
+    /// Selects a lesson, works on it, grades it, and leaves the score page.
     void doLesson(const std::string& id)
     {
         startLesson(id);
@@ -495,7 +495,7 @@ private:
 
     void finish()
     {
-        // What covers the button for a moment, a message or a card, takes the first press.
+        // A message or a card may cover the button for a moment and take the first press.
         const auto isAsked = [&] { return child<ui::scoring::ScorePredictionPage>()->isVisible(); };
         const auto ask = [&] {
             closeCard();
@@ -512,8 +512,8 @@ private:
         WAIT_FOR(!child<ui::scoring::ScorePage>()->isVisible());
     }
 
-    /// Answers the card of a broken rule, which takes the focus. On a slow machine it comes while the bur is in the
-    /// air.
+    /// Closes the card of a rule violation, which takes the focus. On a slow computer it may appear while the bur is in
+    /// the air.
     void closeCard()
     {
         if (auto* const goOn = child<QPushButton>("goOn"); goOn != nullptr && goOn->isVisible())
@@ -529,7 +529,8 @@ private:
             m_hand->raiseForce(*child<QSlider>("pushForce"));
             WAIT_FOR(view.hand().forceN() > 1.0);
         }
-        // An exercise counts when the examiner has seen it, which may be after the bur has come to the tooth.
+        // An exercise counts as begun when the assessment has seen it, which may be after the bur has reached the
+        // tooth.
         const bool counts = !cuts && lesson.task != lessons::Task::TellLayers;
         const auto isThere = [&] {
             if (counts && !core::grading::isBegun(child<ui::practice::ExerciseCard>("exerciseCard")->practised()))
@@ -542,7 +543,7 @@ private:
         const glm::dvec2 place(aim);
         const auto push = [&] {
             if (view.isPressed()) {
-                // A person sees where the bur has come down, and aims beside it.
+                // Like a user who sees where the bur has come down, corrects the aim.
                 aim += glm::dvec3(place - glm::dvec2(servo().anchorMm), 0.0);
                 m_hand->lift(view);
             }
@@ -557,7 +558,7 @@ private:
         WAIT_FOR(!view.isPressed());
         if (lesson.task != lessons::Task::TellLayers)
             return;
-        // The last answer of each pad is reached, too.
+        // The last answer of each pad can be reached as well.
         for (int pad = 0; pad < 3; ++pad) {
             auto* const answer = child<QAbstractButton>(
                 qPrintable(QStringLiteral("pad%1%2").arg(pad).arg(static_cast<int>(core::terrain::Material::Caries))));

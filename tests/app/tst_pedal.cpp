@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A foot pedal and a gamepad in the whole program, played by SDL's virtual joysticks.
+// A foot pedal and a gamepad in the whole program, simulated by SDL's virtual joysticks.
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -42,7 +42,7 @@ private slots:
         start();
         waitForTooth();
         plugInPedal();
-        // The hand presses, the foot has not: nothing is cut.
+        // The hand presses on the tooth, but the pedal is up: nothing is cut.
         press({1.5, 1.0, -1.0});
         WAIT_FOR(servo().touching);
         waitForTicks(200);
@@ -126,7 +126,7 @@ private slots:
         const bool hasMirror = actions().mirror->isChecked();
         tap(pad, SDL_CONTROLLER_BUTTON_X);
         WAIT_FOR(actions().mirror->isChecked() != hasMirror);
-        // Through the panel and back.
+        // Moves the focus through the panel and back.
         window().activateWindow();
         WAIT_FOR(window().isActiveWindow());
         window().view().setFocus();
@@ -151,7 +151,7 @@ private:
         made->setAxis(0, -1.0);
         return made;
     }
-    /// A pedal that has been taught and runs the bur.
+    /// Plugs in a pedal that is configured to run the bur.
     void plugInPedal()
     {
         m_pedal = pedal();
@@ -163,7 +163,7 @@ private:
         emit card().pedalChosen(guid, "A pedal");
         WAIT_FOR(card().state().report.pedal == PedalStage::Ready);
     }
-    /// Presses a button until it has been seen, and releases it.
+    /// Holds a gamepad button until the program has seen it, and releases it.
     void tap(VirtualController& pad, int button) const
     {
         const auto isHeld = [this, button] {

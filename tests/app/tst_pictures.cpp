@@ -21,36 +21,37 @@ namespace {
 const QString kReferences = QStringLiteral(CUSP_SOURCE_DIR "/tests/pictures/");
 const QString kFailed = QStringLiteral(CUSP_BINARY_DIR "/tests/pictures/");
 
-/// Two pictures are compared a quarter as wide and high: where an edge is drawn half a pixel further, or harder, is the
-/// driver's affair.
+/// Two pictures are compared at a quarter of their width and height, because drivers may draw an edge half a pixel
+/// further or with a harder edge.
 constexpr int kShrink = 4;
-/// So far may a channel be away, of 255, ...
+/// A pixel is near if each of its channels differs by at most this much, of 255.
 constexpr int kNear = 20;
-/// ... in all but this share of the pixels, and so far the mean of a channel over all of them. Two of Mesa's drivers
-/// differ by a fiftieth of a percent and a mean of 0.03; the least that a person would miss, one tooth of 32 marked, by
-/// half a percent, and a tooth that is wet instead of dry by a mean of 2.3.
+/// The share of pixels that may be further away, and the largest difference of a channel's mean over all pixels. Two of
+/// Mesa's drivers differ by 0.02 percent and a mean of 0.03. The smallest difference that a person would notice, one
+/// tooth of 32 marked, is half a percent; a wet tooth in place of a dry one differs by a mean of 2.3.
 constexpr double kMostAway = 0.003;
 constexpr double kMeanNear = 1.5;
 
-/// Around a section stand words, and at the right of coloured depths; which letters a computer has is its own affair.
+/// Margins that contain text: around a section, and at the right of the colour scale of depths. They are not compared,
+/// because the fonts depend on the computer.
 constexpr QMargins kWords(32, 24, 8, 68);
 constexpr QMargins kScale(0, 0, 180, 0);
 
-/// What a picture is drawn of.
+/// The subject of a picture.
 enum class Of { Tooth, Cutting, Cut, Nothing };
 
-/// One picture of everything that `cusp render` can show or leave out.
+/// One picture. Together they cover everything that `cusp render` can show or hide.
 struct Row
 {
     const char* name;
     Of of;
     const char* options;
-    const char* unlike = nullptr;  ///< a row whose picture is seen to differ from this one
-    QMargins words = {};           ///< in them, which are not compared
+    const char* unlike = nullptr;  ///< name of a row whose picture must differ visibly from this one
+    QMargins words = {};           ///< margins with text, which are not compared
 };
 constexpr std::array kRows{
     Row{"tooth", Of::Tooth, ""},
-    // From where it is looked at.
+    // Views.
     Row{"occlusal", Of::Tooth, "--view occlusal"},
     Row{"buccal", Of::Tooth, "--view buccal"},
     Row{"lingual", Of::Tooth, "--view lingual", "buccal"},
@@ -75,7 +76,7 @@ constexpr std::array kRows{
     Row{"both-flips", Of::Cutting, "--flip both", "left-right"},
     Row{"arch", Of::Nothing, "--arch"},
     Row{"arch-36", Of::Nothing, "--arch --tooth 36", "arch"},
-    // A drilled cavity, close.
+    // A drilled cavity in close-up.
     Row{"cavity", Of::Cut, "--view 20,60,14"},
     Row{"cavity-distinct", Of::Cut, "--view 20,60,14 --show distinct", "cavity"},
     Row{"cavity-wet", Of::Cut, "--view 20,60,14 --show wet", "cavity"},
@@ -84,7 +85,7 @@ constexpr std::array kRows{
     Row{"ideal", Of::Tooth, "--show ideal", nullptr, kScale},
     Row{"drilling", Of::Cutting, "--view 20,40,14"},
     Row{"drilling-light", Of::Cutting, "--view 20,40,14 --show light", "drilling"},
-    // Inside.
+    // The inside of the tooth.
     Row{"section-0", Of::Cutting, "--section 0", nullptr, kWords},
     Row{"section-90", Of::Cutting, "--section 90", "section-0", kWords},
     Row{"section-distinct", Of::Cutting, "--section 90 --show distinct", "section-90", kWords},
@@ -98,8 +99,8 @@ constexpr std::array kRows{
 struct Difference
 {
     double away = 1.0;    ///< share of the pixels that are not near
-    double mean = 255.0;  ///< of the channel whose mean differs most
-    QImage picture;       ///< four times the difference; red where it is not near
+    double mean = 255.0;  ///< difference of the channel whose mean differs most
+    QImage picture;       ///< four times the difference; red where a pixel is not near
     [[nodiscard]] bool isSmall() const { return away <= kMostAway && mean <= kMeanNear; }
     [[nodiscard]] QString words() const
     {
@@ -109,7 +110,7 @@ struct Difference
     }
 };
 
-/// Of two pictures of a row, which are of the same size or differ in everything.
+/// Compares two pictures of a row. Pictures of different sizes count as different everywhere.
 Difference difference(const Row& row, const QImage& one, const QImage& other)
 {
     const auto shrunk = [&](const QImage& picture) {
@@ -161,7 +162,7 @@ bool isRewriting()
 
 }  // namespace
 
-/// What `cusp render` draws looks as it did when somebody looked at it: tests/pictures/README.md.
+/// Compares the pictures of `cusp render` with references that a person has checked: tests/pictures/README.md.
 class TestPictures : public QObject
 {
     Q_OBJECT
@@ -204,14 +205,14 @@ private slots:
                                                  .arg(found.words(), drawn, differs, kReferences, name)));
         QFile::remove(drawn);
         QFile::remove(differs);
-        // The comparison notices if the subject of the picture is missing.
+        // The comparison must notice that the subject of the picture is missing.
         if (what.unlike != nullptr) {
             const Difference seen = difference(what, reference(what.unlike), wanted);
             QVERIFY2(!seen.picture.isNull() && !seen.isSmall(), qPrintable(what.unlike + (": " + seen.words())));
         }
     }
 
-    /// A reference that no row draws any more would be looked after for nothing.
+    /// Every reference belongs to a row, so that no unused file is maintained.
     void referencesAreOfRows()
     {
         QStringList rows;
@@ -230,8 +231,8 @@ private slots:
         QVERIFY2(bytes < 3'000'000, qPrintable(QString::number(bytes)));
     }
 
-    /// Mesa's plainest driver draws triangle by triangle and knows no smooth edges. Where Mesa does not draw, the same
-    /// driver draws again.
+    /// Mesa's simplest driver draws without antialiasing. Where the system's OpenGL is not Mesa, its own driver draws a
+    /// second time.
     void survivesAnotherDriver()
     {
         for (const Row& row : kRows) {
@@ -246,8 +247,8 @@ private slots:
     }
 
 private:
-    /// An attempt on tooth 36: a box through enamel and lesion into dentin.
-    /// @param atEndMm  height at which the hand holds the bur at last
+    /// Records an attempt on tooth 36: a box through enamel and lesion into dentin.
+    /// @param atEndMm  height at which the hand holds the bur at the end
     void record(const QString& name, double atEndMm, bool drilling)
     {
         QByteArray path("t_s,x_mm,y_mm,z_mm,drill\n0,-2,0,3,1\n");

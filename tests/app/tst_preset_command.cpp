@@ -53,7 +53,7 @@ private slots:
             runCusp({"preset", "check", bad, "--json"}).json()["presets"].toArray()[0].toObject();
         QCOMPARE(checked["sound"].toBool(), false);
         QCOMPARE(checked["faults"].toArray().size(), 1);
-        // What is not in the file is sound, and told.
+        // A value that the file leaves out is valid, and the output names it.
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(R"({"force": {"stiffness_n_per_mm": 1.5}})") > 0);
         file.close();
         const Ending sparse = runCusp({"preset", "check", bad});
@@ -96,7 +96,7 @@ private slots:
         expectRefusal(runCusp({"preset", "list", "--db", rig.address(), "--as", "admin"}, {}, "wrong\n"));
     }
 
-    /// A version is no measure.
+    /// A version is written as an integer, not with an exponent.
     void wholeNumbersAreWrittenOut()
     {
         QTemporaryDir folder;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hardness presets of a school, on fake repositories: what happens when two admins change them at once, when another
-// user logs in before an answer, and when the school is away.
+// Hardness presets of a school on fake repositories: two admins change them at once, another user logs in before an
+// answer, or the connection is lost.
 #include <memory>
 
 #include <QSignalSpy>
@@ -20,7 +20,7 @@ using core::settings::FeelPreset;
 
 namespace {
 
-/// A preset of this name; different values for different numbers.
+/// Returns a preset of this name. Different numbers give different values.
 FeelPreset presetCalled(const char* name, int number = 1)
 {
     FeelPreset preset = lessons::shippedPresets().front();
@@ -57,7 +57,7 @@ private slots:
     {
         QCOMPARE(app::savePreset(m_school->all(), m_admin, presetCalled("mine", 1))->version, 1);
         QCOMPARE(app::savePreset(m_school->all(), m_admin, presetCalled("mine", 2))->version, 2);
-        QCOMPARE(app::savePreset(m_school->all(), m_admin, presetCalled("mine", 2))->version, 2);  // is there already
+        QCOMPARE(app::savePreset(m_school->all(), m_admin, presetCalled("mine", 2))->version, 2);  // exists already
         QCOMPARE(m_school->presets.all.size(), std::size_t{2});
     }
 
@@ -194,7 +194,7 @@ private:
         m_presets->setSchool(m_school.get());
         m_school->answer();
     }
-    /// Another station saves a preset and chooses it.
+    /// Saves a preset from another station and selects it for the school.
     void chooseInSchool(const char* name)
     {
         QVERIFY(app::savePreset(m_school->all(), m_admin, presetCalled(name)));

@@ -12,7 +12,7 @@
 using support::Ending;
 using support::runCusp;
 
-/// Runs `cusp render` as a user does: it makes a display of its own where there is none.
+/// Runs `cusp render` as a user does. The command starts a display if there is none.
 class TestRenderCommand : public QObject
 {
     Q_OBJECT
@@ -33,7 +33,7 @@ private slots:
         QTest::newRow("by angles") << QStringList{"--view", "-30,20,40", "--size", "64x64"} << QSize(64, 64);
     }
 
-    /// What each option shows is compared in tst_pictures.
+    /// Checks that a picture is drawn. tst_pictures compares what each option shows.
     void drawsATooth()
     {
         QFETCH(QStringList, options);
@@ -42,7 +42,7 @@ private slots:
         expectDone(runCusp(QStringList{"render", "--tooth", "36", "--out", file} + options));
         const QImage picture(file);
         QCOMPARE(picture.size(), size);
-        // The room is dark, the tooth in its middle is not.
+        // The background is dark, and the tooth in the middle is not.
         const int room = qGray(picture.pixel(2, 2));
         QVERIFY(room < 80);
         int brightest = 0;

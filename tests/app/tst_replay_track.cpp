@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording as the view gets it: every moment, in any order, by tiles.
+// A recording as the view receives it: at any time, in any order, tile by tile.
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,8 @@ std::shared_ptr<const terrain::ToothAnatomy> block()
     return support::makeBlock(made);
 }
 
-/// Three strokes with two burs, the second undone and made again, all of it undone at the end; an aid and a note.
+/// Records three strokes with two burs, an aid and a note. The second stroke is undone and redone; at the end all
+/// strokes are undone.
 Recording attempt()
 {
     support::Rig rig;
@@ -66,7 +67,7 @@ Recording attempt()
     return rig.session->recordingSoFar().value();
 }
 
-/// What the view makes of states and patches.
+/// Applies states and patches as the view does.
 struct Viewer
 {
     explicit Viewer(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy) : tooth(anatomy)
@@ -139,7 +140,7 @@ private slots:
             QCOMPARE(state.burIndex, was.burIndex);
             QVERIFY(state.anchorMm.z >= std::min(was.anchorMm.z, next.anchorMm.z) - 1.0e-9);
             QVERIFY(state.anchorMm.z <= std::max(was.anchorMm.z, next.anchorMm.z) + 1.0e-9);
-            // The figures beside the tooth are those of this moment.
+            // The volumes shown next to the tooth are those of this time.
             const double removed = viewer.links->session.latest().removedMm3[1];
             const double still = terrain::volumes(viewer.tooth)[1];
             const double whole = terrain::volumes(terrain::Tooth(made.anatomy()))[1];
@@ -153,7 +154,7 @@ private slots:
         }
         QVERIFY2(rises > 50, "going back puts material back");
         QVERIFY(deepest > 0.05);
-        // The very ends.
+        // The two ends of the recording.
         track->show(track->lengthS());
         viewer.look();
         QCOMPARE(viewer.tooth.top, made.anatomy()->top);
@@ -162,7 +163,7 @@ private slots:
 
     void showsLargeChangesToo()
     {
-        // Everything at once: more tiles than the queue to the view holds, and a view that takes them late.
+        // More tiles change at once than the queue to the view holds, and the view takes them late.
         support::Block block;
         block.side = 512;
         block.cellMm = 0.02;
@@ -216,12 +217,12 @@ private slots:
             kinds << mark.kind;
         QCOMPARE(kinds, (QList<Mark::Kind>{Mark::Kind::Aids, Mark::Kind::Undo, Mark::Kind::Redo, Mark::Kind::Note,
                                            Mark::Kind::Bur, Mark::Kind::StartAgain}));
-        // A time spent elsewhere is listed as a rest, and has no mark.
+        // A pause spent elsewhere is listed as a rest, and has no mark.
         QCOMPARE(course.rests.size(), 1U);
         const auto [restFromS, restToS] = course.rests.front();
         QVERIFY2(std::abs(restToS - restFromS - 0.05) < 0.02, qPrintable(QString::number(restToS - restFromS)));
         QVERIFY(restFromS > course.strokes[1].toS && restToS < course.strokes[2].fromS);
-        // Going through it step by step shows each state of the tooth once: whole, one stroke, two, undone, redone, ...
+        // Stepping forward shows each state of the tooth once: whole, one stroke, two, undone, redone, ...
         std::vector<std::size_t> cut;
         for (double at = 0.0; at < course.lengthS; at = course.stepAfter(at)) {
             track->show(at);
@@ -238,7 +239,7 @@ private slots:
         QCOMPARE(cut[4], cut[2]);
         QVERIFY(cut[5] > cut[4]);
         QCOMPARE(cut[6], 0U);
-        // And back.
+        // Steps back to the beginning.
         double at = course.lengthS;
         for (std::size_t n = cut.size(); n-- > 0;)
             at = course.stepBefore(at);
@@ -285,7 +286,7 @@ private slots:
         rig.send(core::servo::SetBur{0});
         rig.send(core::servo::SetDrill{true});
         rig.run(30);
-        // Far beside the line.
+        // Drills far away from the line.
         rig.lean(3.5, 3.5, 4.0, 1500);
         rig.lift();
         rig.settle();
@@ -332,8 +333,8 @@ private slots:
         QCOMPARE(beat(100), lengthS);
         QVERIFY(replay.takeEnd());
         QVERIFY2(!replay.takeEnd(), "told once");
-        QCOMPARE(viewer.tooth.top, made.anatomy()->top);  // all was undone
-        // Held at its end it goes back like anywhere else; let go there, it begins anew.
+        QCOMPARE(viewer.tooth.top, made.anatomy()->top);  // all strokes were undone
+        // While held at its end, the replay can be moved back. When released there, it starts again from the beginning.
         replay.setSpeed(1.0);
         replay.seek(0.5);
         QVERIFY(near(beat(5), 0.5));
@@ -354,7 +355,7 @@ private slots:
         replay.tick(10ms);
         viewer.look();
         QVERIFY(viewer.shownS() < 0.01);
-        replay.preparing().tick(5ms);  // a thousand ticks
+        replay.preparing().tick(5ms);  // prepares a thousand ticks
         replay.tick(10ms);
         const double soFar = viewer.shownS();
         QVERIFY(soFar > 0.9 && soFar <= replay.attempt().readyS() && soFar < replay.attempt().lengthS());

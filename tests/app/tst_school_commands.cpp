@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `cusp db`, `user`, `import` and `export`, as a technician types them.
+// The commands `cusp db`, `user`, `import` and `export`, run as a technician does.
 #include <csignal>
 
 #include <QDir>
@@ -71,16 +71,16 @@ private slots:
 
     void aSchoolIsMadeAndPeopled()
     {
-        // A password that everybody guesses makes no school.
+        // A common password is refused, and no school is created.
         const Ending weak = runCusp({"db", "init", "--db", at("weak.sqlite"), "--admin", "admin"}, {}, "password1\n");
         expectRefusal(weak);
         QVERIFY(!QFile::exists(at("weak.sqlite")));
-        // Nor does a name that cannot be one.
+        // An invalid username is refused likewise.
         for (const QString& name : {QString("a b"), QString(" "), QString(""), QString(65, 'a')}) {
             expectRefusal(runCusp({"db", "init", "--db", at("weak.sqlite"), "--admin", name}, {}, kPassword));
             QVERIFY(!QFile::exists(at("weak.sqlite")));
         }
-        // A file that was written on Windows ends its lines in its own way.
+        // The line ends as in a file written on Windows.
         expectDone(runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, "correct horse\r\n"));
         const Ending added =
             byAdmin({"user", "add", "s1", "--given", "Sam", "--family", "One", "--role", "student", "--json"});
@@ -95,7 +95,7 @@ private slots:
         QVERIFY(byAdmin({"user", "disable", "s1", "--enable"}).out.contains("s1 can log in"));
         const Ending reset = byAdmin({"user", "reset", "s1", "--json"});
         QVERIFY(reset.json()["code"].toString() != added.json()["code"].toString());
-        // Without the password, or the right, nothing is done.
+        // Without a password, or with a wrong one, the command does nothing.
         expectRefusal(runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, "wrong horse\n"));
         expectRefusal(runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, {}), "no password was given");
         QVERIFY(onFile({"user", "list"}).error.contains("--as"));
@@ -106,12 +106,12 @@ private slots:
         QVERIFY(onFile({"db", "stats"}).out.contains("students     1"));
     }
 
-    /// In the folder that the desktop keeps for the data of programs.
+    /// Without --db the commands use a database in the user's data folder.
     void withoutAFileItIsTheUsersOwn()
     {
         const QStringList where{"XDG_DATA_HOME=" + at("data")};
         const QString own = at("data/cusp/cusp.sqlite");
-        // Who only looks makes nothing.
+        // A command that only reads does not create the database.
         QCOMPARE(runCusp({"db", "stats"}, where).exitCode, 1);
         QVERIFY(!QFile::exists(own));
         expectDone(runCusp({"db", "init", "--admin", "admin"}, where, kPassword));
@@ -132,7 +132,7 @@ private slots:
         put(at("short.csv"), "username,given_name,family_name,role,class\nn8,Ada,Eight\nn9,Ada,Two,,A\n");
         const QByteArray shorter = byAdmin({"import", "roster", at("short.csv"), "--dry-run"}).out;
         QVERIFY2(shorter.contains("fewer fields than the first line names: n8") && !shorter.contains("n9"), shorter);
-        // Codes that go into a file are not told as well.
+        // Codes that are written to a file are not printed as well.
         const Ending done = byAdmin({"import", "roster", at("list.csv"), "--codes", at("codes.csv"), "--json"});
         expectDone(done);
         QCOMPARE(done.json()["people"].toArray()[0].toObject()["code"].toString(), QString());
@@ -152,7 +152,7 @@ private slots:
         QCOMPARE(people(), 3);
     }
 
-    /// A full disk takes the answer, and with it the code.
+    /// The output, and with it the one-time code, is lost on a full disk. The user is added nevertheless.
     void whoseCodeIsLostIsEnteredAllTheSame()
     {
         put(at("list.csv"), "username\ns1002\n");
@@ -178,7 +178,7 @@ private slots:
                         "another")}) {
             expectRefusal(toFullDisk(words), said);
         }
-        // Of what tells no code there is nothing to lose.
+        // A command that prints no code has nothing to lose.
         QVERIFY(!toFullDisk({"user", "list"}).error.contains("code"));
         QCOMPARE(people(), 3);
     }
@@ -190,7 +190,7 @@ private slots:
         QVERIFY(QFile::link(m_folder->path(), at("door")));
         QVERIFY(QFile::link(school(), at("link.csv")) && QFile::link(at("link.csv"), at("twice.csv")));
         QVERIFY(QFile::link(at("nothing"), at("lost.csv")));
-        // Each target is tried with one of the two commands: both take the name of a file in the same way.
+        // Each target is tried with one of the two commands, because both open a file in the same way.
         const auto codes = [this](const QString& target) {
             return QStringList{"import", "roster", at("list.csv"), "--codes", target};
         };
@@ -201,16 +201,17 @@ private slots:
               codes(at("twice.csv")), table(at("lost.csv"))}) {
             const QString target = words.back();
             const bool wasThere = QFileInfo::exists(target);
-            const bool isFile = QFileInfo(target).isFile();  // a device has no end
+            const bool isFile = QFileInfo(target).isFile();  // a device cannot be read to its end
             const QByteArray before = isFile ? contentOf(target) : QByteArray();
             expectRefusal(byAdmin(words));
             QCOMPARE(QFileInfo::exists(target), wasThere);
-            // The login alone is noted in the school.
+            // Only the login is noted in the audit.
             QCOMPARE(QFileInfo(target).isFile(), isFile);
             QVERIFY(!isFile || contentOf(target).left(16) == before.left(16));
         }
         QCOMPARE(people(), 1);
-        // Last night's table is replaced, also where a link leads; it is for its owner, or for whom somebody has said.
+        // The table of the night before is replaced, also behind a symbolic link. Only its owner can read it, unless
+        // its permissions already allow others.
         put(at("table.csv"), "last night");
         QVERIFY(QFile::link(at("table.csv"), at("tonight.csv")));
         QVERIFY(QFile::setPermissions(at("table.csv"), QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
@@ -246,7 +247,7 @@ private slots:
         expectDone(runCusp({"db", "check", "--db", at("sample.sqlite")}));
     }
 
-    /// Attempts that were delivered after the backup was made wait again, for the window to send them.
+    /// Attempts that were delivered after the backup was made return to the outbox, for the window to send them again.
     void whatABackupMissesIsSentAgain()
     {
         const QString backup = backUp();
@@ -270,7 +271,7 @@ private slots:
         expectDone(runCusp({"db", "restore", backup, "--db", at("links/link.sqlite")}));
         QVERIFY(QFileInfo(at("links/link.sqlite")).isSymLink());
         QCOMPARE(QDir(at("links")).entryList(QDir::Files | QDir::Hidden).size(), 1);
-        // Whatever goes wrong behind it: they wait, and it is said where the old file is.
+        // If a later step fails, the attempts stay in the outbox, and the error names the replaced file.
         outbox.keepArrived(outbox.waiting().front());
         put(at("station.key"), "noise");
         expectRefusal(onFile({"db", "restore", backup}), "replaced-");
@@ -300,7 +301,7 @@ private slots:
         VERIFY_DONE(outbox.put(m_rig.student, SchoolRig::attempt("class1-36", 500), {}));
         VERIFY_DONE(
             outbox.put(m_rig.student, database::ExamStart{database::newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
-        // Who sent it is not known in this one.
+        // The school used by default does not know the sender.
         QCOMPARE(onFile({"db", "send", "--json"}).json()["waiting"].toInt(), 2);
         QCOMPARE(outbox.waiting().size(), 2);
         const Ending sent = runCusp({"db", "send", "--json", "--db", at("renamed.sqlite")});
@@ -321,7 +322,7 @@ private slots:
         expectDone(onFile({"db", "send"}));
     }
 
-    /// Beside the copy nobody would look for it.
+    /// Pending attempts move with the school. They are not looked for next to the copy.
     void whatWaitsForASchoolMovesWithIt()
     {
         QVERIFY(QDir(m_folder->path()).mkpath("new") && QFile::copy(m_peopled, at("moving.sqlite")));
@@ -379,7 +380,7 @@ private slots:
         QCOMPARE(byAdmin({"db", "copy", "--to", at("new/copy.sqlite")}).exitCode, 1);
         QCOMPARE(QDir(at("new")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
                  QStringList{"recordings"});
-        // What was there before stays.
+        // Existing files are preserved.
         QCOMPARE(byAdmin({"db", "copy", "--to", school()}).exitCode, 1);
         QVERIFY(QFile::exists(at("station.key")));
         expectDone(onFile({"db", "check"}));
@@ -392,7 +393,7 @@ private slots:
             const Ending refused = runCusp({"db", "init", "--db", name});
             expectRefusal(refused);
         }
-        // As a copied address may hold it.
+        // An address copied from a document may contain invisible characters.
         for (const char* name :
              {"postgresql://x%E2%80%8B/y", "postgresql://x/y%E2%80%8B", "postgresql://u%E2%80%8B@x/y"}) {
             const Ending refused = runCusp({"db", "init", "--db", name});
@@ -483,7 +484,7 @@ private slots:
 private:
     [[nodiscard]] QString at(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
     [[nodiscard]] QString school() const { return at("school.sqlite"); }
-    /// A part of the command on the school, done by the admin.
+    /// Runs a command on the school as the admin.
     [[nodiscard]] Ending byAdmin(QStringList words) const
     {
         words << "--db" << school() << "--as"
@@ -496,12 +497,12 @@ private:
         return runCusp(words);
     }
 
-    /// How many people the school has.
+    /// Returns the number of users in the school.
     [[nodiscard]] qsizetype people() const
     {
         return byAdmin({"user", "list", "--json"}).json()["people"].toArray().size();
     }
-    /// Makes a backup. Returns its file.
+    /// Makes a backup and returns its path.
     [[nodiscard]] QString backUp() const { return onFile({"db", "backup", "--json"}).json()["backup"].toString(); }
     [[nodiscard]] database::Outbox outboxOf(const char* name) const
     {
@@ -509,7 +510,7 @@ private:
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;
-    QTemporaryDir m_made;  ///< a school in which the admin is, for each to begin with
+    QTemporaryDir m_made;  ///< a school with only an admin; each test begins with a copy
     SchoolRig m_rig{false};
     QString m_peopled;  ///< a backup of the rig's school
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole program at a school, as far as no tooth is cut: the login, a teacher's pages and an admin's.
+// The whole program at a school, without cutting a tooth: the login, the pages of a teacher and of an admin.
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -84,7 +84,7 @@ private slots:
         row("an admin is one no longer", "admin", "role = 'student'", "people", "Your role was changed");
     }
 
-    /// The user is logged out when they reload a page or do something on it.
+    /// A user who was disabled or whose role was changed is logged out when they reload a page or do something on it.
     void whoMayNotStayIsLoggedOut()
     {
         QFETCH(QString, name);
@@ -109,7 +109,7 @@ private slots:
         }
     }
 
-    /// By the password that was known last; wrong ones make the same user wait, and nobody else.
+    /// The lock accepts the last known password. Wrong passwords cause a waiting time for the same user only.
     void theLockIsOpenedWithoutTheDatabase()
     {
         const auto setReachable = [this](bool reachable) {
@@ -143,14 +143,14 @@ private slots:
         };
         WAIT_FOR(unlocks());
         QVERIFY(window().view().isVisible());
-        // A login forgets the wrong ones before it.
+        // A successful login resets the count of wrong passwords.
         lockAndTryWrong(3);
         setReachable(true);
         unlock();
         setReachable(false);
         lockAndTryWrong(1);
         unlock();
-        // Nobody logs in without the database, and another user does not wait for the mistakes of the one before.
+        // A login needs the database, and another user does not wait for the mistakes of the one before.
         lockAndTryWrong(6);
         QVERIFY2(mustWait(), qPrintable(saidAtDoor()));
         click("otherLogin");
@@ -207,7 +207,7 @@ private slots:
             child<QMenu>("accountMenu")->findChild<QAction*>("ownPassword")->trigger();
             WAIT_FOR_VALUE(door(), LoginMode::OwnPassword);
         };
-        // From the menu it leads back to the page before; from the lock it does not.
+        // A page opened from the menu leads back to the page before; from the lock it does not.
         actions().lessons->trigger();
         open();
         actions().back->trigger();
@@ -244,7 +244,7 @@ private slots:
             other.execute("ROLLBACK");
         }
         WAIT_FOR_VALUE(count("audit WHERE action = 'login'"), before + 1);
-        // The next login is answered after hers.
+        // The next login is answered after Sue's.
         actions().account->trigger();
         logIn("sam");
         QVERIFY2(!names.contains("sue"), qPrintable(names.join(u' ')));
@@ -257,7 +257,7 @@ private slots:
         actions().classes->trigger();
         actions().lock->trigger();
         QCOMPARE(door(), LoginMode::Locked);
-        tryPassword("somebody else's");  // which is answered after the classes
+        tryPassword("somebody else's");  // answered after the classes
         QVERIFY(isAtDoor() && door() == LoginMode::Locked);
         tryPassword();
         waitForPage<ClassPage>();
@@ -281,7 +281,7 @@ private slots:
         logIn("sam");
     }
 
-    /// The file was damaged while the window was open.
+    /// The database file is damaged while the window is open.
     void aBackupIsRestoredFromTheLogin()
     {
         start();
@@ -312,7 +312,7 @@ private slots:
         QCOMPARE(count("people"), 1);
     }
 
-    /// A window may stay open for weeks.
+    /// The program makes a backup each day, because a window may stay open for weeks.
     void eachDayHasItsBackup()
     {
         start();
@@ -328,7 +328,7 @@ private slots:
         QCOMPARE(backups().size(), 2);
     }
 
-    /// It is noted with the user.
+    /// The user's settings in the database note that the tour was shown.
     void theTourIsShownOnce()
     {
         app::WindowOptions options;
@@ -342,7 +342,7 @@ private slots:
         QVERIFY(!tour->isVisible());
         QCOMPARE(count("settings WHERE name = 'tour.seen'"), 0);
         tryPassword();
-        // A teacher's begins with the classes, which are filled below it.
+        // A teacher's tour begins with the classes, while the list behind it is still being filled.
         switchTo("ines");
         WAIT_FOR(tour->isVisible());
         QVERIFY(child<ClassPage>()->isVisible() && child<ClassPage>()->isAncestorOf(tour->target()));
@@ -358,7 +358,7 @@ private slots:
         QVERIFY(tour->isVisible());
         tour->end();
         logOut();
-        // Who practises as a guest is led to the tooth.
+        // A guest is led to the tooth.
         beGuest();
         QVERIFY(!tour->isVisible());
     }
@@ -385,7 +385,8 @@ private slots:
         WAIT_FOR(empty->isVisible() && empty->text().contains(noClass));
         QCOMPARE(studentsShown(), 0);
         QVERIFY(labelWith("sam") == nullptr);
-        // A teacher who is taken out of the class adds no comment, reads why, and sees it no longer.
+        // A teacher who is removed from the class can no longer comment on its attempts, is told why, and no longer
+        // sees the class.
         switchTo("ines");
         openStudent();
         openNewest();
@@ -410,7 +411,8 @@ private slots:
         WAIT_FOR(empty->text().contains(noClass));
     }
 
-    /// It leaves the school with names and scores. It is of the class that was shown when it was asked for.
+    /// The export is noted in the audit, because it leaves the school with names and scores. It is of the class that
+    /// was shown when it was requested.
     void aClassReportIsNoted()
     {
         {
@@ -460,7 +462,7 @@ private slots:
         click("giveScore");
         WAIT_FOR(talk->findChild<QLabel*>("fault")->isVisible());
         WAIT_FOR(talk->findChild<QLabel*>("counts")->text().contains("91.0"));
-        // What was typed stays, to be given again or not.
+        // The entered values stay, so that the teacher can submit them again or discard them.
         QCOMPARE(points->value(), 55.5);
         QCOMPARE(reason->text(), QString("not so neat"));
         QCOMPARE(count("overrides"), 1);
@@ -486,7 +488,7 @@ private slots:
         QTest::newRow("nor a sheet, as in a sample school") << "" << false;
     }
 
-    /// From its score sheet, as it was scored.
+    /// The score page is filled from the saved score sheet.
     void withoutItsRecordingAnAttemptIsOpenedAndOverruled()
     {
         QFETCH(QString, recordingHash);
@@ -534,7 +536,7 @@ private slots:
         WAIT_FOR(lessonsShown() > 2);
         QVERIFY(!actions().editLesson->isVisible() && !actions().editLesson->isEnabled());
         switchTo("ines");
-        waitForPage<ClassPage>();  // where a teacher begins
+        waitForPage<ClassPage>();  // the first page of a teacher
         actions().lessons->trigger();
         WAIT_FOR(mayEdit());
         logOut();
@@ -573,7 +575,7 @@ private slots:
         startAs("sam");
         QVERIFY(!actions().school->isVisible());
         switchTo("admin");
-        waitForPage<AdminPage>();  // where an admin begins
+        waitForPage<AdminPage>();  // the first page of an admin
         openAdminPage(AdminPage::People);
         const auto* people = child<QTableView>("people")->model();
         WAIT_FOR_VALUE(people->rowCount(), 4);
@@ -581,7 +583,7 @@ private slots:
         const sql::DatabaseContext& school = elsewhere.school;
         const auto* const fault = child<QLabel>("personFault");
         const auto* const code = child<QLabel>("oneTimeCode");
-        // A new user, in a class, with a code that is good for one login.
+        // Adds a user to a class; the one-time code is valid for one login.
         click("newPerson");
         child<QLineEdit>("personUsername")->setText("tom");
         child<QLineEdit>("personFamily")->setText("Three");
@@ -597,7 +599,7 @@ private slots:
         choosePerson("admin");
         clickTwice("disablePerson");
         WAIT_FOR(fault->text().contains("the last admin"));
-        // A password is reset neither by one click nor by a double click. Esc cancels, and the page stays.
+        // Neither one click nor a double click resets a password. Esc cancels, and the page stays open.
         choosePerson("sue");
         QVERIFY(!code->isVisible());
         click("resetPassword");
@@ -644,7 +646,7 @@ private slots:
         QVERIFY(!child<QPushButton>("enterRoster")->isVisible());
         choose("new1,N,Ew,student,DEN103\n", "1 new person");
         QCOMPARE(count("people"), 4);
-        // Somebody else enters the same username meanwhile, whose name the list would change.
+        // Another station adds a user with the same username meanwhile. The list would change their name.
         {
             const OtherStation elsewhere(file());
             const auto admin = elsewhere.logIn("admin");
@@ -672,7 +674,7 @@ private slots:
         WAIT_FOR_VALUE(rows->rowCount(), 2);
         QVERIFY(!child<QPushButton>("restoreThis")->isEnabled());
         clickAtBackups("checkAll", "Nothing is wrong");
-        // With the audit code of a report: no code, the present one, and a wrong one.
+        // Checks with the audit code of a report: no valid code, the present one, and a wrong one.
         auto* code = child<QLineEdit>("reportCode");
         code->setText("412");
         click("checkAll");
@@ -705,7 +707,7 @@ private slots:
         logIn("admin");
     }
 
-    /// Nobody is logged out if the restore is refused, or if the admin who asked for it has left.
+    /// Nobody is logged out if the restore is refused, or if the admin who requested it has logged out.
     void aRestoreLogsOutNobodyElse()
     {
         beginAsAdmin(AdminPage::Backups);
@@ -719,7 +721,7 @@ private slots:
             QCOMPARE(actions().account->text(), QString("admin"));
         }
         emit child<ui::admin::BackupPart>()->restoreRequested(backups().front());
-        logOut();  // before the backup has been looked at
+        logOut();  // before the backup was checked
         logIn("sam");
         QTRY_VERIFY2_WITH_TIMEOUT(said->text().isEmpty(), qPrintable(said->text()), kPatienceMs);
         QCOMPARE(actions().account->text(), QString("sam"));
@@ -727,7 +729,7 @@ private slots:
         QCOMPARE(count("audit WHERE action = 'backup.restored'"), 0);
     }
 
-    /// The one connection that such a file allows does everything.
+    /// The only connection that a database on a network drive allows does everything.
     void aNetworkDriveIsForOneAndIsBackedUp()
     {
         deliverAttempt();
@@ -746,7 +748,7 @@ private slots:
         clickAtBackups("checkAll", "Nothing is wrong: 1 attempts");
     }
 
-    /// Also among more attempts than are read at once.
+    /// The audit is searched also beyond the rows that are read at once.
     void theAuditShowsWhatWasDone()
     {
         {
@@ -799,7 +801,7 @@ private slots:
 private:
     const QString kRight = QString::fromStdString(kPassword);
 
-    /// Delivers an attempt of Sam's without a recording. Returns its score sheet.
+    /// Delivers an attempt of Sam without a recording. Returns its score sheet.
     lessons::ScoreSheet deliverAttempt(const std::string& recordingHash = {}, bool hasSheet = true) const
     {
         lessons::ScoreSheet sheet;
@@ -831,7 +833,7 @@ private:
     }
 
     [[nodiscard]] QStringList backups() const { return sql::backupsIn(sql::backupFolder(file())); }
-    /// The names of backups differ by the second.
+    /// Gives the backup an older name, because the names of backups differ only by the second.
     void makeBackupOlder() const
     {
         QVERIFY(QFile::rename(backups().front(), sql::backupFolder(file()) + "/backup-2026-01-01-10.00.00.sqlite"));
@@ -844,7 +846,8 @@ private:
         QTRY_VERIFY2_WITH_TIMEOUT(said->text().contains(words), qPrintable(said->text()), kPatienceMs);
     }
 
-    /// Clicks a button that asks for a second click, which does not count as long as it may be of a double click.
+    /// Clicks a button and confirms it by a second click. The second click does not count while it may belong to a
+    /// double click.
     void clickTwice(const char* button) const
     {
         click(button);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole program at a school of many stations: a real PostgreSQL server, which goes, comes back and takes its time.
+// The whole program at a school of many stations: a real PostgreSQL server that stops, returns and is slow.
 #include <QListView>
 #include <QStandardPaths>
 
@@ -20,12 +20,12 @@ private slots:
     void init()
     {
         makeSchool(m_postgres.newDatabase());
-        qputenv("XDG_DATA_HOME", QFile::encodeName(m_folder->path()));  // where a station keeps its outbox
+        qputenv("XDG_DATA_HOME", QFile::encodeName(m_folder->path()));  // the station's outbox is in this folder
     }
 
     void cleanup() { m_application.reset(); }
 
-    /// The server goes in the middle of the attempt.
+    /// The server stops in the middle of the attempt.
     void anAttemptArrivesOnceWhenTheServerReturns()
     {
         startAs("sam");
@@ -37,7 +37,7 @@ private slots:
         QVERIFY(m_postgres.start());
         waitForSaved("No earlier grades");
         QCOMPARE(attempts(), 1);
-        // The next start delivers nothing again.
+        // The next start of the program does not deliver the attempt again.
         m_application.reset();
         startAs("sam");
         openAttempts();
@@ -46,7 +46,8 @@ private slots:
         QCOMPARE(attempts(), 1);
     }
 
-    /// Only the school knows whether a graded attempt was saved. Nobody waits for its answer, which comes late.
+    /// Only the database knows whether a graded attempt was saved. The window does not wait for its answer, which comes
+    /// late.
     void anAttemptOfUnknownFateIsOfferedLate()
     {
         startAs("sam");
@@ -69,7 +70,7 @@ private slots:
         WAIT_FOR(isUnfinishedOffered());
     }
 
-    /// By itself, on the page that is open.
+    /// The open page is reloaded without an action of the user.
     void whatCouldNotBeReadIsReadWhenTheServerReturns()
     {
         startAs("ines");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commands of the school that are stopped by a signal at any moment, or run several times at once: many rounds of each.
+// Many rounds each: commands that a signal stops at a random moment, or that run several times at once.
 #include <csignal>
 #include <future>
 
@@ -28,7 +28,7 @@ class TestSchoolSignals : public QObject
 private slots:
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }
 
-    /// Whoever else delivers at the same time.
+    /// Other processes deliver the same attempts at the same time.
     void whatIsSentByManyIsCountedOnce()
     {
         const auto key = database::StationKey::readOrMake(at("station.key"));
@@ -65,7 +65,8 @@ private slots:
         QTest::newRow("export") << QStringList{"export", "attempts", "--csv", "there/table.csv", "--as", "admin"};
     }
 
-    /// Whenever it comes: what is there by its name is whole, and nothing half made is there by another.
+    /// The command is stopped by a signal at a random moment. A file under the target's name is complete, and no
+    /// temporary file is left.
     void aSignalLeavesNothingBehind()
     {
         QFETCH(QStringList, words);
@@ -97,7 +98,7 @@ private slots:
             QVERIFY(cusp.waitForStarted());
             cusp.write(typed);
             cusp.closeWriteChannel();
-            usleep(static_cast<useconds_t>(round) * 15'000);  // each time a later moment
+            usleep(static_cast<useconds_t>(round) * 15'000);  // later in each round
             ::kill(static_cast<pid_t>(cusp.processId()), round % 3 == 0 ? SIGINT : round % 3 == 1 ? SIGTERM : SIGHUP);
             QVERIFY(cusp.waitForFinished());
             stopped += cusp.exitStatus() == QProcess::CrashExit ? 1 : 0;

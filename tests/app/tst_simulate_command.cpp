@@ -24,7 +24,7 @@
 using support::Ending;
 using support::runCusp;
 
-/// Runs simulate and replay as a user does.
+/// Runs `cusp simulate` and `cusp replay` as a user does.
 class TestSimulateCommand : public QObject
 {
     Q_OBJECT
@@ -48,7 +48,7 @@ private slots:
             QCOMPARE(line.count(','), lines[0].count(','));
     }
 
-    /// Also with another handpiece, and without breaking off.
+    /// The replay gives the same state hash, also with another handpiece and with thin fins that break off.
     void replayComesToTheSameHash()
     {
         const auto enamelOf = [&](const QStringList& options) {
@@ -97,7 +97,7 @@ private slots:
         QVERIFY(made.json()["removed_mm3"].toObject()["enamel"].toDouble() > 0.0);
     }
 
-    /// A user's own bur cuts as the one of the program with the same profile, and goes into no recording.
+    /// A bur from a user's file cuts like the built-in bur of the same profile, but cannot be used for a recording.
     void takesABurOfTheUser()
     {
         const QByteArray same = "bur mine\nshape straight\nmaterial carbide\nneck 0.4\nflat 0.4\narc 0.5 0.1 0.1\n"
@@ -142,7 +142,8 @@ private slots:
 
     void frameOfTheFileIsKept()
     {
-        // A block whose top lies at z = 9 of the file; the path comes down onto its middle in the file's coordinates.
+        // The top of the block is at z = 9 in the coordinates of the file. The path moves down onto its middle, in the
+        // same coordinates.
         const QString block =
             written("block.obj", support::asObj(support::moved(support::box(8.0F, 9.0F, 7.0F), {30.0F, -4.0F, 2.0F})));
         const QString path = written("down.csv", kHead + "0,34,0.5,12,0\n1,34,0.5,8.5,0\n");
@@ -160,7 +161,7 @@ private slots:
         QVERIFY(support::near(kept[6].toDouble(), 9.0, 0.01));
         QVERIFY(kept[9].toDouble() > 0.1);
         QCOMPARE(kept[10], QByteArray("1"));
-        // In the tooth's frame the same path passes far beside the block.
+        // In the tooth's frame the same path misses the block.
         const QList<QByteArray> moved = lastRow({"--up", "+z"});
         QCOMPARE(moved.size(), 15);
         QCOMPARE(moved[10], QByteArray("0"));
@@ -168,7 +169,7 @@ private slots:
 
     void warningsOfTheScanAreShown()
     {
-        // A millimetre wide, it can be no tooth in millimetres: the importer guesses a unit and says so.
+        // A scan one millimetre wide cannot be in millimetres: the importer guesses a unit and reports that.
         const QString scan = written("cap.stl", support::asBinaryStl(support::sphereCap(0.5F, 0.5F, 40, 10)));
         const QStringList arguments{"simulate", "--tooth", scan, "--path", m_path, "--out", m_trace};
         const Ending text = runCusp(arguments);
@@ -279,7 +280,7 @@ private slots:
 
     void namesThatAreNotUtf8AreRefused()
     {
-        // Latin 1, as old disks have it. runCusp() speaks UTF-8 only, so a shell passes the byte on.
+        // A Latin-1 file name, as on an old disk. runCusp() passes only UTF-8, so a shell passes the byte.
         const QString script = written("latin.sh", "exec \"$1\" tooth \"$(printf 'pr\\344molar.obj')\"\n");
         QProcess shell;
         shell.start("sh", {script, CUSP_BINARY_DIR "/bin/cusp"});
@@ -396,7 +397,7 @@ private:
         return QByteArray::fromStdString(support::bytesOf(path.toStdString()));
     }
 
-    /// Simulates a path on tooth 36; without one, that of m_path into m_trace.
+    /// Simulates a path on tooth 36. The overload without a path uses m_path and writes m_trace.
     [[nodiscard]] Ending simulate(const QStringList& options, const QString& path, const QString& out) const
     {
         return runCusp(QStringList{"simulate", "--tooth", "36", "--path", path, "--out", out} + options);

@@ -16,7 +16,7 @@ private slots:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
-        // A second in the air, then down into a practice block for a second.
+        // The bur is in the air for a second, then cuts into a practice block for a second.
         write("path.csv", "t_s,x_mm,y_mm,z_mm,drill\n0,0,0,3,1\n0.5,0,0,1,1\n1.5,0,0,-0.5,1\n2,0,0,2,0\n");
     }
 

@@ -17,7 +17,7 @@ using ui::sound::SoundStage;
 
 namespace {
 
-/// Stands in for a computer with one output, which takes everything and is read by nobody. Sound thread.
+/// A fake of a computer with one audio output. The output accepts everything and discards it. Sound thread.
 class OneOutput final : public ui::sound::AudioPort
 {
 public:
@@ -75,7 +75,7 @@ private slots:
         plug(false);
         WAIT_FOR(stage() == SoundStage::NoOutput);
         WAIT_FOR(isToldOfSound());
-        drill(-2.0);  // the work goes on
+        drill(-2.0);  // cutting is still possible
         plug(true);
         WAIT_FOR(stage() == SoundStage::Playing);
         WAIT_FOR(!isToldOfSound());
@@ -90,7 +90,7 @@ private slots:
         WAIT_FOR(stage() == SoundStage::Playing);
         actions().sound->trigger();
         WAIT_FOR(stage() == SoundStage::Off);
-        plug(false);  // who wants no sound is told of no output
+        plug(false);  // a user who has muted the sound gets no message about the output
         plug(true);
         QVERIFY(!isToldOfSound());
         m_application.reset();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many stations at once, a station that is killed while it saves, a server that goes away: each station is this program
-// in a process of its own. CUSP_STATIONS and CUSP_KILLS set how many.
+// Many stations at once, a station that is killed while it saves, a server that stops. Each station is this program in
+// a process of its own. CUSP_STATIONS and CUSP_KILLS set the numbers.
 #include <algorithm>
 #include <atomic>
 #include <csignal>
@@ -57,8 +57,8 @@ ExamStart anExam()
     return {newUid(), "exam-36", "2026-11-20T10:00:00Z"};
 }
 
-/// What a station does with its part of the program: logs in, and for each attempt has it kept, says so, waits until it
-/// is delivered, and says how long that took. Arguments: address, folder, user's name, attempts.
+/// A station. It logs in; then, for each attempt, it saves it to the outbox, reports that, waits until it is delivered,
+/// and reports how long that took. Arguments: address, folder, username, number of attempts.
 class Station : public QObject
 {
 public:
@@ -68,7 +68,7 @@ public:
         QDir().mkpath(words[1]);
         connect(&m_desk, &app::SchoolService::delivered, this, [this](const QString& uid) {
             if (uid != QString::fromStdString(m_attempt.uid))
-                return;  // that was left over from a station that was killed
+                return;  // a pending attempt of a station that was killed
             std::cout << "took " << m_since.nsecsElapsed() / 1000 << std::endl;
             next();
         });
@@ -124,7 +124,7 @@ std::unique_ptr<QProcess> startStation(const SchoolRig& rig, const QString& fold
     return station;
 }
 
-/// The words behind those lines of a station's output that begin so.
+/// Returns the rest of each line of a station's output that begins with these words.
 QStringList said(const QByteArray& output, const char* beginning)
 {
     QStringList words;
@@ -144,7 +144,7 @@ std::set<QString> keptIn(const DatabaseContext& school)
 
 }  // namespace
 
-/// Declares a school on the PostgreSQL server, or skips the test if there is no server.
+/// Declares a school on the PostgreSQL server. Skips the test if there is no server.
 #define SERVER_RIG(name)                                                                                               \
     if (!support::sharedServer().fault().isEmpty())                                                                    \
         QSKIP(qPrintable(support::sharedServer().fault()));                                                            \
@@ -206,15 +206,15 @@ private slots:
                 QVERIFY(station->waitForReadyRead(60'000));
                 output += station->readAllStandardOutput();
             }
-            QTest::qWait(rng.below(60));  // the moment of the kill is by chance
+            QTest::qWait(rng.below(60));  // kills at a random moment
             ::kill(static_cast<pid_t>(station->processId()), SIGKILL);
             QVERIFY(station->waitForFinished(30'000));
             output += station->readAllStandardOutput();
-            // What stands in a line that has come through to its end was confirmed.
+            // An attempt was confirmed if its line was output completely.
             for (const QString& uid : said(output.left(output.lastIndexOf('\n') + 1), "kept "))
                 confirmed.insert(uid);
         }
-        // The next start delivers what waits.
+        // The next start delivers the pending attempts.
         const auto last = startStation(rig, m_folder->filePath("station"), "s1001", 0);
         QVERIFY(last->waitForFinished(60'000));
         QCOMPARE(last->exitCode(), 0);
@@ -228,7 +228,7 @@ private slots:
         qInfo("%d kills, %zu attempts confirmed, %zu kept", kills, confirmed.size(), kept.size());
     }
 
-    /// As the window does it: the desk takes what was graded, and the beginning of an exam, whether or not a server
+    /// Saves graded attempts and an exam start through SchoolService, as the window does, whether or not the server
     /// answers.
     void aServerThatGoesAwayGetsEverythingOnce()
     {
@@ -250,7 +250,7 @@ private slots:
             desk.keep(this, rig.student, attempt, ofNothing(), count);
             put.insert(QString::fromStdString(attempt.uid));
             ++exams;
-            // What was put there is on the disk before anybody hears of it.
+            // An attempt is on the disk before the callback is called.
             QTRY_COMPARE(kept, 2);
         };
         {
@@ -264,7 +264,7 @@ private slots:
             QCOMPARE(letters().size(), 4);
             desk.deliver();
         }
-        // The program ends without a server, and starts without one.
+        // The program is closed without a server and started without one.
         QCOMPARE(letters().size(), 4);
         app::SchoolService desk(addressOf(rig), m_folder->path());
         bool isAway = false;
@@ -280,7 +280,7 @@ private slots:
         expectSound(rig);
     }
 
-    /// Between two things that a window asks.
+    /// The server restarts between two requests of a window. The service reconnects without an error.
     void ofAServerThatWasStartedAnewNobodyHears()
     {
         auto& server = support::sharedServer();
@@ -332,7 +332,7 @@ private slots:
             }
             return {};
         };
-        // An answer that was lost on its way: the same letter again.
+        // The confirmation of a delivery was lost, so the same attempt is delivered again.
         keep();
         const QString file = outbox.waiting().front();
         QVERIFY(QFile::copy(file, file + ".again"));
@@ -340,13 +340,13 @@ private slots:
         QVERIFY(QFile::rename(file + ".again", file));
         VERIFY_DONE(deliver());
         QVERIFY(keptIn(rig.school()) == put);
-        // A database that was put back to an older state gets once more what it had got.
+        // A database that was restored to an older state receives again the attempts that it had received.
         keep();
         const QString arrived = outbox.waiting().front();
         outbox.keepArrived(arrived);
         QVERIFY(outbox.waiting().isEmpty());
         QCOMPARE(outbox.arrived().size(), 1);
-        // What another school in this folder has stays with it, as long as that is there.
+        // Attempts for another school in this folder are not moved as long as that school exists.
         const Outbox ofOther(m_folder->filePath("outbox"), key, "other.sqlite");
         QFile school(m_folder->filePath("school.sqlite"));
         QVERIFY(school.open(QIODevice::WriteOnly));
@@ -369,11 +369,11 @@ private slots:
         rig.populate();
         Outbox outbox(m_folder->filePath("outbox"), StationKey::make(), "school.sqlite");
         VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500), "recording"));
-        // One that was signed with another key waits until that is back.
+        // An attempt signed with another key waits until that key is back.
         VERIFY_REFUSED(Outbox(m_folder->filePath("outbox"), StationKey::make()).read(outbox.waiting().front()),
                        core::ErrorCode::NotAllowed);
-        // The database refuses an attempt whose file was changed, and one that it could never store and that others
-        // would wait behind.
+        // The database refuses an attempt whose file was changed, and one that it could never store and that would
+        // block the others.
         const auto expectRefusalOfTheFirst = [&] {
             VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
             outbox.setAside(outbox.waiting().front());
@@ -392,7 +392,7 @@ private slots:
         unfit.uid.pop_back();
         VERIFY_DONE(outbox.put(rig.student, unfit, "recording"));
         expectRefusalOfTheFirst();
-        // One of the other kind is not read as this one.
+        // A file of the other kind is not accepted.
         VERIFY_DONE(outbox.put(rig.student, anExam()));
         QVERIFY(Outbox::isExam(outbox.waiting().front()));
         QCOMPARE(outbox.readExam(outbox.waiting().front())->personUid, rig.student.uid());
@@ -400,7 +400,8 @@ private slots:
         VERIFY_REFUSED(outbox.put(rig.guest, SchoolRig::attempt("class1-36", 1), {}), core::ErrorCode::NotAllowed);
     }
 
-    /// Of one user, from one folder: what the other has delivered is gone, and not damaged.
+    /// Two windows of one user deliver from the same folder. An attempt that the other window has delivered is gone,
+    /// not damaged.
     void twoWindowsDeliverWithoutAnAlarm()
     {
         SchoolRig rig(false);
@@ -427,7 +428,7 @@ private slots:
         VERIFY_REFUSED(outbox.read(gone), core::ErrorCode::FileMissing);
     }
 
-    /// Two schools are used from one folder: what waits for one is not lost in the other.
+    /// Two schools are used from one folder. An attempt for one school is not lost while the other is open.
     void aLetterWaitsForItsSchool()
     {
         SchoolRig mine(false);
@@ -453,7 +454,8 @@ private slots:
         QCOMPARE(openOnce(mine.address()), 0);
         QVERIFY(keptIn(mine.school()).count(QString::fromStdString(attempt.uid)) == 1);
         QVERIFY(outbox.waiting().isEmpty());
-        // It is kept until the next backup; one of the other school changes nothing.
+        // A delivered attempt is kept until the next backup of its school. A backup of the other school does not remove
+        // it.
         const auto made = [&](const SchoolRig& rig, int day) {
             return app::makeBackup(DatabaseContext{rig.school().db, StationKey::readOrMake(key).value()},
                                    addressOf(rig), m_folder->path(), rig.nowUtc.addDays(day));
@@ -471,12 +473,13 @@ private slots:
         QVERIFY(ofMine.arrived().isEmpty());
     }
 
-    /// As a limit of its administrator's does what is very large.
+    /// The server always rejects one attempt, as its time limit would reject a very large one. The later attempts are
+    /// delivered nevertheless.
     void whatAServerAlwaysStopsHoldsNothingUp()
     {
         SERVER_RIG(rig);
         AttemptRecord first = SchoolRig::attempt("class1-36", 500);
-        first.uid = std::string(first.uid.size(), '0');  // the first by its name, too
+        first.uid = std::string(first.uid.size(), '0');  // makes it the first by its file name as well
         for (const QString& sql :
              {QStringLiteral("CREATE FUNCTION stop() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN RAISE EXCEPTION "
                              "'canceling statement due to statement timeout' USING ERRCODE = '57014'; END $$"),
@@ -498,7 +501,7 @@ private slots:
         desk.deliver();
         QTRY_COMPARE(outbox.waiting().size(), 1);
         QVERIFY(keptIn(rig.school()) == std::set<QString>{QString::fromStdString(later.uid)});
-        // And it is tried again.
+        // The rejected attempt is tried again.
         VERIFY_DONE(execute(rig.school().db, "DROP TRIGGER stop ON attempts", "lift the limit"));
         desk.deliver();
         QTRY_VERIFY(outbox.waiting().isEmpty());
@@ -534,7 +537,7 @@ private slots:
         QTRY_COMPARE(told, (QStringList{"unanswered", "answered"}));
     }
 
-    /// What was looked into takes nothing away from the school.
+    /// Opening a copy of the school does not send it any pending attempts.
     void aCopyOfASchoolGetsNoneOfItsLetters()
     {
         SchoolRig rig(false);
@@ -573,7 +576,7 @@ private slots:
                 Outbox::schoolAt(Address::parse("postgresql://host/a_trial").value(), m_folder->path()));
     }
 
-    /// What waits is tried again, whether or not somebody at the door does.
+    /// Delivery is tried again, whether or not a user logs in.
     void aFileThatWasLockedAtTheStartGetsItsLetters()
     {
         SchoolRig rig(false);
@@ -597,7 +600,7 @@ private slots:
 
 private:
     static Address addressOf(const SchoolRig& rig) { return Address::parse(rig.address()).value(); }
-    /// With the station's own key.
+    /// Returns the outbox that signs with the station's own key.
     [[nodiscard]] Outbox ownOutbox() const
     {
         return {m_folder->filePath("outbox"), StationKey::readOrMake(m_folder->filePath("station.key")).value()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is printed for head tracking has its exact size.
+// The printed sheets for head tracking have exact sizes.
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +42,7 @@ PictureView view(const QImage& image)
     return {image.constBits(), image.width(), image.height(), static_cast<int>(image.bytesPerLine())};
 }
 
-/// Edges of the tags, largest first.
+/// Returns the edge lengths of the detected tags, largest first.
 std::vector<double> edgesMm(const QImage& image)
 {
     TagDetector detector(kId);
@@ -53,7 +53,7 @@ std::vector<double> edgesMm(const QImage& image)
     return edges;
 }
 
-/// The longest dark line from left to right.
+/// Returns the length of the longest horizontal dark line.
 double longestLineMm(const QImage& image)
 {
     constexpr int kDark = 128;
@@ -124,7 +124,7 @@ private slots:
         QVERIFY2(isExact(mm, TagSheet::kRulerMm), qPrintable(QString::number(mm)));
     }
 
-    /// Printers leave a margin white.
+    /// Printers cannot print on the margin.
     void nothingIsNearTheEdgeOfThePaper()
     {
         for (const TagSheet::Page page : TagSheet::kPages)

@@ -13,7 +13,7 @@
 using support::Ending;
 using support::runCusp;
 
-/// Runs the program as a user does: its own process, no display, stdout and stderr apart.
+/// Runs `cusp tooth` as a user does: in its own process, without a display, with separate stdout and stderr.
 class TestToothCommand : public QObject
 {
     Q_OBJECT
@@ -121,7 +121,7 @@ private slots:
 
     void exportKeepsItsInput()
     {
-        // A name that leads to the input by another way.
+        // The output is a link to the input file.
         const std::string bytes = support::asObj(support::box(8.0F, 9.0F, 7.0F));
         const QString file = write("input.obj", bytes);
         QVERIFY(QFile::link(file, m_folder.filePath("link.obj")));
@@ -219,7 +219,7 @@ private slots:
             "open where its crown should be");
     }
 
-    /// The tests of core cover the reasons. Here, each one ends the command with one sentence.
+    /// The tests of core cover all reasons. Here, each bad file ends the command with one sentence.
     void badFiles()
     {
         QFETCH(QString, name);
@@ -275,7 +275,7 @@ private slots:
 
     void largestMeshFitsInMemory()
     {
-        // 4.5 million triangles, nothing shared in the file: what an honest large scan would be.
+        // 4.5 million triangles that share no vertices in the file, like a real large scan.
         const core::mesh::TriangleMesh cap = support::sphereCap(6.0F, 6.0F, 3000, 750);
         const QString path = write("large.stl", support::asBinaryStl(cap));
         const Ending ending = runCusp({"tooth", path, "--json"});
@@ -288,7 +288,7 @@ private slots:
 
     void scanNumbers_data()
     {
-        // Figures of shared/tools/meshinfo.py, in file units.
+        // The values were computed by an independent program, in file units.
         QTest::addColumn<QString>("file");
         QTest::addColumn<int>("triangles");
         QTest::addColumn<double>("volume");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `cusp track` as a user runs it: what it prints, and what it says of bad input.
+// Runs `cusp track` as a user does: its output, and its errors for bad input.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,7 +41,8 @@ constexpr int kId = 5;
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 
-/// @param turnDeg  about x, then about y
+/// Returns a pose.
+/// @param turnDeg  rotation about x, then about y
 Pose poseAt(const glm::dvec3& positionMm, const glm::dvec2& turnDeg)
 {
     glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), glm::radians(turnDeg.x), glm::dvec3(1.0, 0.0, 0.0));
@@ -49,7 +50,7 @@ Pose poseAt(const glm::dvec3& positionMm, const glm::dvec2& turnDeg)
     return {positionMm, glm::dmat3(turn)};
 }
 
-/// Where the tag is in picture `n`.
+/// Returns the pose of the tag in picture `n`.
 Pose tagPose(int n)
 {
     return poseAt({-20.0 + 10.0 * n, 5.0, 300.0}, {20.0, 0.0});
@@ -125,7 +126,7 @@ private:
         for (int n = 0; n < count; ++n)
             write(folder + QStringLiteral("/%1.pgm").arg(n), support::pgmOf(tagPicture(n)));
     }
-    /// Pictures of the board from many sides.
+    /// Writes pictures of the board from many directions.
     void writeBoards(const QString& folder, const CameraModel& camera, double tiltDeg) const
     {
         const support::PrintCamera prints(camera);
@@ -360,7 +361,7 @@ void TestTrackCommand::aSignalEndsAnEndlessVideo()
     cusp.kill();
     writer.join();
     QVERIFY(hasEnded);
-    // It ends as what a signal has ended, with a last line that is whole.
+    // The program ends by the signal, and its last line is complete.
     QCOMPARE(cusp.exitStatus(), QProcess::CrashExit);
     out += cusp.readAllStandardOutput();
     QVERIFY(out.endsWith("}\n"));
@@ -419,12 +420,12 @@ void TestTrackCommand::calibratesByTheBoard()
     QVERIFY2(glm::distance(found->focalPx, camera.focalPx) < 0.01 * camera.focalPx.x,
              qPrintable(QString::number(found->focalPx.x)));
     QVERIFY(glm::distance(found->centrePx, camera.centrePx) < 2.0);
-    // Where the picture is bent most: near its corners.
+    // Compares near the corners, where the distortion is largest.
     for (const glm::dvec2 pixel : {glm::dvec2(60.0, 60.0), glm::dvec2(580.0, 60.0), glm::dvec2(60.0, 420.0)})
         QVERIFY(glm::distance(found->pixelOf({camera.directionOf(pixel), 1.0}), pixel) < 2.0);
-    // It is what --calibration reads.
+    // The file can be read with --calibration.
     expectDone(runCusp({"track", "--images", at("boards"), "--calibration", at("camera.json")}));
-    // A place that cannot be written is named.
+    // The error names a path that cannot be written.
     write("file", "x");
     const Ending unwritten = runCusp({"track", "--images", at("boards"), "--calibrate", at("file/x.json"), "--json"});
     QCOMPARE(unwritten.exitCode, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two admins of one school: one neither undoes the changes of the other nor sees their one-time codes.
+// Two admins of one school: neither undoes the other's changes or sees the other's one-time codes.
 #include <memory>
 
 #include <QLabel>
@@ -73,7 +73,7 @@ private slots:
                     button->click();
             QTRY_VERIFY_WITH_TIMEOUT(!messages->sentence().isEmpty(), kPatienceMs);
         };
-        // Another admin has chosen this preset, and the window has not read it yet.
+        // The other admin has selected this preset, and the window has not read it yet.
         chooseElsewhere("first v1");
         choose();
         undo();

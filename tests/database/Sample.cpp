@@ -36,9 +36,9 @@ struct Student
 {
     PersonId id;
     std::string uid;
-    double talent = 0.0;    ///< of the first attempt, 0 .. 1
-    double learning = 0.0;  ///< how soon they get better
-    std::vector<int> done;  ///< attempts at each lesson
+    double talent = 0.0;    ///< skill at the first attempt, 0 .. 1
+    double learning = 0.0;  ///< how fast the student gets better
+    std::vector<int> done;  ///< number of attempts at each lesson
 };
 
 class Maker

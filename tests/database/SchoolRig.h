@@ -27,7 +27,7 @@
 
 namespace support {
 
-/// The engines that each test of the database runs on, as rows of its data.
+/// Adds the engines that each test of the database runs on as rows of the test's data.
 inline void addEngines()
 {
     QTest::addColumn<bool>("onServer");
@@ -35,14 +35,14 @@ inline void addEngines()
     QTest::newRow("postgresql") << true;
 }
 
-/// Returns one server for all tests of a program, started at the first use.
+/// Returns the server that all tests of a program share. The first call starts it.
 inline PostgresServer& sharedServer()
 {
     static PostgresServer server;
     return server;
 }
 
-/// Delivers an attempt of the session's person, as from a station's outbox.
+/// Delivers an attempt of the logged-in user, as the outbox of a station does.
 inline core::Result<database::AttemptId> addAttempt(const database::sql::DatabaseContext& school,
                                                     const database::Login& session,
                                                     const database::AttemptRecord& attempt, const QByteArray& recording)
@@ -61,7 +61,7 @@ inline QString wordsOf(const std::vector<database::IntegrityIssue>& findings)
     return lines.join(u'\n');
 }
 
-/// Returns the findings of the check of a database; empty if it is sound.
+/// Checks a database and returns the findings; empty if it is sound.
 inline QString faultsOf(const QSqlDatabase& db)
 {
     const auto report = database::sql::checkDatabase(db, {});
@@ -80,7 +80,7 @@ QString whyNotRefused(const core::Result<T>& result, core::ErrorCode code, std::
     return isRefused ? QString() : QStringLiteral("refused with: ") + QString::fromStdString(detail);
 }
 
-/// A school with people of every role. Password hashes have the lowest cost, and the test sets the clock.
+/// A school with users of every role. Password hashes have the lowest cost, and the test sets the clock.
 class SchoolRig
 {
 public:
@@ -107,7 +107,7 @@ public:
         reopen();
     }
 
-    /// Opens the database like the next run of the program.
+    /// Opens the database again, as the next run of the program does.
     void reopen()
     {
         close();
@@ -136,7 +136,7 @@ public:
         const auto counted = database::sql::ask(m_school->db, "SELECT count(*) FROM " + rows, "count");
         return counted ? counted->toInt() : -1;
     }
-    /// Executes SQL statements directly, without the checks of the program.
+    /// Executes SQL statements directly, without the permission checks of the program.
     void run(const QStringList& statements) const
     {
         for (const QString& statement : statements) {
@@ -145,7 +145,8 @@ public:
         }
     }
 
-    /// Enters the first admin, two classes with an instructor and a student each, and a second student in the first.
+    /// Adds the first admin, two classes with an instructor and a student each, and a second student in the first
+    /// class.
     void populate()
     {
         using namespace database;
@@ -164,7 +165,7 @@ public:
     {
         return database::sql::Logins::login(school(), name, password);
     }
-    /// Enters a person with the common password, into a class, and logs them in.
+    /// Adds a user with the common password, enrols them in a class and logs them in.
     database::Login join(const database::NewPerson& who, database::ClassId into)
     {
         using namespace database::sql;
@@ -174,7 +175,7 @@ public:
         return Logins::redeem(school(), who.username, entered.code, kPassword).value();
     }
 
-    /// Delivers an attempt, as it comes out of a station's outbox.
+    /// Delivers an attempt of a user, as the outbox of a station does.
     core::Result<database::AttemptId> add(const database::Login& who, const database::AttemptRecord& attempt,
                                           const QByteArray& recording = {}) const
     {
@@ -230,7 +231,7 @@ private:
     std::unique_ptr<database::sql::DatabaseContext> m_school;
 };
 
-/// A connection to a database file without the checks of the program.
+/// A connection to a database file that bypasses the checks of the program.
 class RawFile
 {
 public:
@@ -260,7 +261,7 @@ inline int attemptsIn(const QString& file)
     return database ? database::sql::ask((*database)->handle(), "SELECT count(*) FROM attempts", "count")->toInt() : -1;
 }
 
-/// Runs the rest of the scope as another user, because root can open every file.
+/// Runs the rest of the scope as another user, because root may open every file.
 inline auto asNobody()
 {
     constexpr uid_t kNobody = 65534;
@@ -270,7 +271,7 @@ inline auto asNobody()
     return qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
 }
 
-/// One populated school of each engine, for copies.
+/// Returns a populated school on the given engine, made once, for tests to copy.
 inline SchoolRig& populatedSchool(bool onServer)
 {
     static std::array<std::unique_ptr<SchoolRig>, 2> schools;
@@ -282,7 +283,7 @@ inline SchoolRig& populatedSchool(bool onServer)
     return *school;
 }
 
-/// Another station at the rig's database. Made and used in one thread.
+/// Another station that uses the rig's database. It is made and used in one thread.
 class Station
 {
 public:
@@ -308,7 +309,7 @@ private:
     if (!support::sharedServer().fault().isEmpty())                                                                    \
     QSKIP(qPrintable(support::sharedServer().fault()))
 
-/// Defines a rig of the row's engine, or skips if there is no server.
+/// Defines a rig on the engine of the test's row. Skips the test if there is no server.
 #define SCHOOL_RIG(name)                                                                                               \
     QFETCH(bool, onServer);                                                                                            \
     if (onServer)                                                                                                      \
@@ -316,7 +317,7 @@ private:
     support::SchoolRig name(onServer);                                                                                 \
     QVERIFY(name.isOpen())
 
-/// The same with a copy of a school, such as support::populatedSchool.
+/// Defines a rig like SCHOOL_RIG, but as a copy of a school such as support::populatedSchool.
 #define COPY_OF(school, name)                                                                                          \
     QFETCH(bool, onServer);                                                                                            \
     if (onServer)                                                                                                      \
@@ -324,7 +325,7 @@ private:
     support::SchoolRig name(school(onServer));                                                                         \
     QVERIFY(name.isOpen())
 
-/// Checks that a result is no error; otherwise prints its sentence.
+/// Checks that a result is not an error. Otherwise prints the error's sentence.
 #define VERIFY_DONE(expression)                                                                                        \
     do {                                                                                                               \
         const auto& verifiedResult = (expression);                                                                     \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// make_school FILE|URL [STUDENTS [ATTEMPTS [SEED]]]: makes up a large school, so that "cusp db measure --as admin" can
-// time it. The password of "admin" goes to standard output.
+// make_school FILE|URL [STUDENTS [ATTEMPTS [SEED]]]: generates a large school for timing with "cusp db measure --as
+// admin". Writes the password of "admin" to standard output.
 #include <cstdio>
 
 #include <QCoreApplication>

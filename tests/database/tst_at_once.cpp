@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two stations do at the same moment what must not be done twice, or what each decides by what the other changes.
+// Two stations use the database at the same moment: both do what may be done only once, or one changes what the other's
+// decision depends on.
 #include <atomic>
 #include <functional>
 #include <thread>
@@ -42,7 +43,7 @@ void atOnce(const QString& address, const std::vector<Work>& works)
         thread.join();
 }
 
-/// As in a school: comparing takes a while.
+/// Gives a user a password hash of the usual cost. Comparing with it takes some time, as in a real school.
 void makePasswordDear(const SchoolRig& rig, const QString& username)
 {
     const std::string hash = hashPassword(SchoolRig::kPassword, PasswordCost{}).value();
@@ -60,7 +61,7 @@ class TestAtOnce : public QObject
     Q_OBJECT
 
 private slots:
-    /// Two teachers look at the same list, and change it one after the other.
+    /// Two teachers look at the same list of assignments and change it one after the other.
     void whatAnotherHasGivenIsNotOverwritten_data() { support::addEngines(); }
     void whatAnotherHasGivenIsNotOverwritten()
     {
@@ -85,7 +86,7 @@ private slots:
         QCOMPARE(given(), std::vector{theirs});
         VERIFY_DONE(unassign(school, rig.instructor, theirs));
         VERIFY_REFUSED(assign(school, rig.instructor, mine, seen), ErrorCode::ChangedSince);
-        VERIFY_DONE(unassign(school, rig.instructor, seen));  // gone already
+        VERIFY_DONE(unassign(school, rig.instructor, seen));  // already removed
         QVERIFY(given().empty());
         VERIFY_DONE(assign(school, rig.instructor, mine));
         QCOMPARE(given(), std::vector{mine});
@@ -102,14 +103,14 @@ private slots:
                 return [&me, whom](const DatabaseContext& school) {
                     auto person = findPerson(school, me, whom);
                     if (!person)
-                        return;  // the other was quicker
+                        return;  // the other admin has already disabled this one
                     person->disabled = true;
                     static_cast<void>(changePerson(school, me, *person));
                 };
             };
             atOnce(rig.address(), {disable(rig.admin, "second"), disable(second, "admin")});
             QCOMPARE(rig.count("people WHERE role = 'admin' AND disabled = 0"), 1);
-            // Both again, by whoever is left.
+            // The remaining admin enables the other one again.
             using Admin = std::pair<const Login*, const char*>;
             for (const auto& [me, whom] : {Admin(&rig.admin, "second"), Admin(&second, "admin")})
                 if (auto person = findPerson(rig.school(), *me, whom); person && person->disabled) {
@@ -184,7 +185,7 @@ private slots:
         QCOMPARE(rig.count("failed_logins"), 0);
     }
 
-    /// Hashing takes its time, but not that of the others.
+    /// Hashing a password takes time, but does not block the other stations meanwhile.
     void whoChoosesAPasswordHoldsNobodyUp_data() { support::addEngines(); }
     void whoChoosesAPasswordHoldsNobodyUp()
     {
@@ -197,7 +198,7 @@ private slots:
             const DatabaseContext school = station.school();
             do
                 VERIFY_DONE(Logins::logout(school, rig.student));
-            while (!done.tryAcquire(1, 10));  // ms: a file has no queue, and lets the other in then
+            while (!done.tryAcquire(1, 10));  // ms: SQLite has no queue; this lets the other station in
         });
         const auto redeemed = Logins::redeem(rig.school(), "s1002", code, "another horse");
         const auto changed = redeemed
@@ -209,12 +210,12 @@ private slots:
         VERIFY_DONE(changed);
     }
 
-    /// Nor does what it can never take hold up what stands behind it: that is not called a matter of waiting.
+    /// A lesson id that is too long for the server is an error at once. It does not keep later attempts waiting.
     void whatIsTooLongForTheServerIsAValueThatIsNotAllowed()
     {
         NEEDS_SERVER();
         SchoolRig rig(support::populatedSchool(true));
-        std::string lesson;  // that cannot be made shorter
+        std::string lesson;  // random letters, which the server cannot compress
         for (unsigned k = 0, next = 1; k < 20000; ++k, next = next * 1664525U + 1013904223U)
             lesson += static_cast<char>('a' + (next >> 16U) % 26U);
         VERIFY_REFUSED(rig.add(rig.student, lesson, 500), ErrorCode::OutOfRange);
@@ -234,7 +235,7 @@ private slots:
         QCOMPARE(tried->people.size(), std::size_t{3});
         QCOMPARE(tried->newClasses, (std::vector<std::string>{"A", "B"}));
         VERIFY_DONE(execute(writer.db, "ROLLBACK", "end it"));
-        // Somebody else has entered one of them since it was looked at, under another name.
+        // Since the trial, another user has added one of them under another name.
         VERIFY_DONE(addPerson(rig.school(), rig.admin, {"new1", "Otto", "Other", Role::Student}));
         VERIFY_REFUSED(importRoster(rig.school(), rig.admin, list, false, &*tried), ErrorCode::ChangedSince);
         QCOMPARE(findPerson(rig.school(), rig.admin, "new1")->givenName, std::string("Otto"));
@@ -244,7 +245,7 @@ private slots:
         const auto entered = importRoster(rig.school(), rig.admin, list, false, &*triedNow);
         VERIFY_DONE(entered);
         QCOMPARE(entered->newClasses, tried->newClasses);
-        // The same once more changes nothing, and the audit is as whole as before.
+        // Importing the same list again changes nothing, and the audit stays valid.
         const AuditHead head = auditHead(rig.school()).value();
         VERIFY_DONE(importRoster(rig.school(), rig.admin, list, false));
         QVERIFY(auditHead(rig.school()).value() == head);

@@ -30,7 +30,7 @@ using support::SchoolRig;
 
 namespace {
 
-/// The class "first" with four more students than the rig enters.
+/// Adds four students to the rig's class "first". Returns all six students of the class.
 std::vector<Login> sixStudents(SchoolRig& rig)
 {
     std::vector<Login> six{rig.student, rig.classmate};
@@ -49,7 +49,7 @@ std::vector<LessonStanding> ownStandings(const SchoolRig& rig)
     return standingsOf(rig.school(), rig.student, rig.student.person()).value();
 }
 
-/// The file of the one recording.
+/// Returns the path of the only recording.
 QString recordingOf(const SchoolRig& rig)
 {
     const QString folder = QFileInfo(rig.address()).absolutePath() + "/recordings";
@@ -85,7 +85,7 @@ private slots:
         attempt.recordingHash = digestOf({recording.constData(), static_cast<std::size_t>(recording.size())});
         QVERIFY(*kept == attempt);
         QCOMPARE(openRecording(rig.school(), rig.student, *id).value(), recording);
-        // Nobody expected anything, and nothing was recorded.
+        // An attempt without a prediction and without a recording.
         AttemptRecord bare = SchoolRig::attempt("", 100);
         bare.expectedTenths.reset();
         bare.criteria.clear();
@@ -107,7 +107,8 @@ private slots:
             QCOMPARE(deliverAttempt(rig.school(), attempt, {}).value(), id);
         QCOMPARE(ownHistory(rig).size(), std::size_t{1});
         QCOMPARE(ownStandings(rig).front().attempts, 1);
-        // Nobody takes it over, and none is kept without a number or an owner.
+        // Another user cannot submit the same attempt, and an attempt without a uid or with an unknown person is
+        // refused.
         VERIFY_REFUSED(rig.add(rig.classmate, attempt), ErrorCode::OutOfRange);
         attempt.uid.clear();
         VERIFY_REFUSED(rig.add(rig.student, attempt), ErrorCode::BadStructure);
@@ -134,7 +135,7 @@ private slots:
         QCOMPARE(times36(0), (std::vector{dayOf(2), dayOf(1), dayOf(0)}));
         QCOMPARE(times36(2), (std::vector{dayOf(2), dayOf(1)}));
         QCOMPARE(ownHistory(rig).size(), std::size_t{4});
-        // Practice at a tooth is no lesson at it.
+        // A lesson on tooth 36 does not count as free practice on that tooth.
         QCOMPARE(ownHistory(rig, {"", "36", 0}).size(), std::size_t{0});
         VERIFY_DONE(rig.add(rig.student, "", 700));
         QCOMPARE(ownHistory(rig, {"", "36", 0}).size(), std::size_t{1});
@@ -166,7 +167,7 @@ private slots:
         LessonStanding standing = ownStandings(rig).front();
         QCOMPARE(standing.bestTenths, 760);
         QVERIFY(standing.passed);
-        // It can be taken back; what was said stays in the list of overrides.
+        // An override can be withdrawn; the list of overrides keeps its reason.
         VERIFY_DONE(overrideScore(rig.school(), rig.instructor, id, {}, "I was wrong."));
         given = openAttempt(rig.school(), rig.student, id).value();
         QCOMPARE(given.countingTenths(), 600);
@@ -243,7 +244,7 @@ private slots:
             for (; all.hasNext(); ++seen)
                 QVERIFY2(!(QFile::permissions(all.next()) & kOthers), qPrintable(all.filePath()));
         }
-        QCOMPARE(seen, 5);  // two letters, "arrived", a recording and its folder
+        QCOMPARE(seen, 5);  // two pending attempts, the folder "arrived", a recording and its folder
     }
 
     void classmatesAreComparedWithoutNames_data() { support::addEngines(); }
@@ -261,8 +262,8 @@ private slots:
         const auto standing = [&](const Login& who, const char* device = "mouse") {
             return standingAmongClassmates(rig.school(), who, "class1-36", rubric, device, 800).value();
         };
-        // In a class of fewer than five nobody sees how the others did. A teacher practises in the class, but is no
-        // student.
+        // In a class of fewer than five, no student sees how the others did. A teacher who practises in the class does
+        // not count as a student.
         for (const auto& [who, people] :
              {std::pair(rig.student, 2), std::pair(rig.stranger, 1), std::pair(rig.instructor, 3)}) {
             QCOMPARE(standing(who).people, people);
@@ -273,14 +274,14 @@ private slots:
                                 SchoolRig::attempt("class1-36", tenths), {}));
         QCOMPARE(standing(rig.student).people, 5);
         QCOMPARE(standing(rig.student).percentBelow.value(), 60.0);
-        // A better score with another input device is in another ranking.
+        // A better score with another input device belongs to another ranking.
         AttemptRecord withPen = SchoolRig::attempt("class1-36", 990);
         withPen.device = "pen";
         VERIFY_DONE(rig.add(rig.student, withPen));
         QCOMPARE(standing(rig.student).percentBelow.value(), 60.0);
         QCOMPARE(standing(rig.student, "pointer").people, 5);
         QCOMPARE(standing(rig.student, "pen").people, 1);
-        // Who has left, as an account or from the class, is no classmate.
+        // A student whose account is disabled or who has left the class does not count as a classmate.
         const Person left = findPerson(rig.school(), rig.admin, "s1003").value();
         Person disabled = left;
         disabled.disabled = true;
@@ -292,7 +293,7 @@ private slots:
         QCOMPARE(standing(rig.student).people, 4);
     }
 
-    /// Quartiles are those that R calls type 7: between two neighbours by the distance.
+    /// Quartiles are of R's type 7: linear interpolation between two neighbouring values.
     void aClassesNumbersAreThoseWorkedOutByHand_data() { support::addEngines(); }
     void aClassesNumbersAreThoseWorkedOutByHand()
     {
@@ -312,7 +313,7 @@ private slots:
                 attempt.criteria = {{"depth", 600, 600}, {"outline", 0, 200}, {"pulp", 0, 0}};
             return rig.add(who, attempt);
         };
-        // The last ones arrive first: what counts is when they were made.
+        // The last attempts arrive first. Their order is by the time when they were made, not when they arrived.
         for (std::size_t turn = 4; turn-- > 0;)
             for (std::size_t who = 0; who < six.size(); ++who)
                 if (turn < given[who].size()) {
@@ -321,49 +322,51 @@ private slots:
                     kept[{who, turn}] = *id;
                 }
         QCOMPARE(minutes, 15);
-        // An instructor's score counts instead: one more passes, one no longer.
+        // An instructor's score replaces the graded one: one more student passes, another no longer does.
         VERIFY_DONE(overrideScore(rig.school(), rig.instructor, kept[{1, 1}], 640, "It is better than that."));
         VERIFY_DONE(overrideScore(rig.school(), rig.instructor, kept[{3, 0}], 755, "It is better than that."));
         VERIFY_DONE(overrideScore(rig.school(), rig.instructor, kept[{5, 0}], 205, "It is worse than that."));
-        // Who teaches, and who is of another class, changes nothing; nor does another lesson.
+        // Attempts by teachers, by students of another class, and at another lesson do not count.
         VERIFY_DONE(rig.add(rig.instructor, lesson, 1000));
         VERIFY_DONE(rig.add(rig.stranger, lesson, 1000));
         VERIFY_DONE(rig.add(rig.student, "decay-21", 1000));
 
-        // First attempts 205 300 400 610 755 900: a quarter of the way is 300 + 0.25 * 100, half 400 + 0.5 * 210, three
-        // quarters 610 + 0.75 * 145. Second attempts 500 520 640 700 810: three of them. Of third ones there are three,
-        // too few.
+        // First attempts 205 300 400 610 755 900: the quartiles are 300 + 0.25 * 100, 400 + 0.5 * 210 and 610 + 0.75 *
+        // 145. Second attempts 500 520 640 700 810: the quartiles are values of the list. There are only three third
+        // attempts, which is too few.
         const std::vector<BandPoint> curve{{1, 6, 325, 505, 719}, {2, 5, 520, 640, 700}};
         QVERIFY(classBand(rig.school(), rig.student, rig.student.person(), lesson).value() == curve);
         const LessonResults results = lessonResults(rig.school(), rig.instructor, rig.first, lesson).value();
         QVERIFY(results.curve == curve);
         QCOMPARE(results.bestTenths, (std::vector<int>{205, 640, 755, 770, 800, 900}));
-        // Four students passed: one with the third attempt, one with the fourth, two with the first.
+        // Four students passed: one in the third attempt, one in the fourth, two in the first.
         QCOMPARE(results.difficulty.lessonId, lesson);
         QCOMPARE(results.difficulty.people, 6);
         QCOMPARE(results.difficulty.passed, 4);
         QCOMPARE(results.difficulty.meanTenths, 3170.0 / 6.0);
         QCOMPARE(results.difficulty.attemptsToPass, 9.0 / 4.0);
-        // Of fifteen attempts: 14 times 100 of 200 and once nothing; 14 times 30 of 300 and once all.
+        // Of fifteen attempts, 14 earned 100 of 200 points and one earned 0; 14 earned 30 of 300 and one earned all.
         QCOMPARE(results.difficulty.items.size(), std::size_t{2});
         QCOMPARE(results.difficulty.items[0].criterion, std::string("outline"));
         QCOMPARE(results.difficulty.items[0].share, 7.0 / 15.0);
         QCOMPARE(results.difficulty.items[1].criterion, std::string("depth"));
         QCOMPARE(results.difficulty.items[1].share, 2.4 / 15.0);
-        // 205 300 400 450 500 520 610 640 700 740 755 770 800 810 900: the eighth, and of 1 to 15 minutes eight.
+        // 205 300 400 450 500 520 610 640 700 740 755 770 800 810 900: the median is the eighth value, and the median
+        // of 1 to 15 minutes is eight.
         const auto medians = [&] {
             return classMedians(rig.school(), rig.student, rig.student.person(), lesson).value();
         };
         QVERIFY((medians() == LessonMedians{6, 640, 480'000}));
-        // One more, with 660 in 16 minutes: between the eighth and the ninth.
+        // With one more attempt of 660 in 16 minutes, the median is halfway between the eighth and the ninth value.
         VERIFY_DONE(work(six[5], 1, 660));
         QVERIFY((medians() == LessonMedians{6, 650, 510'000}));
-        // Second attempts 500 520 640 660 700 810.
+        // Second attempts now: 500 520 640 660 700 810.
         QVERIFY((classBand(rig.school(), rig.student, rig.student.person(), lesson)->at(1) ==
                  BandPoint{2, 6, 550, 650, 690}));
     }
 
-    /// A mouse is compared with mice, and what was stored before mice were told apart counts as one.
+    /// Attempts with a mouse are compared with attempts with a mouse. An attempt from before mouse and pen were told
+    /// apart counts as one with a mouse.
     void anotherDeviceIsNotCompared_data() { support::addEngines(); }
     void anotherDeviceIsNotCompared()
     {
@@ -388,7 +391,7 @@ private slots:
         QVERIFY(!classMedians(rig.school(), rig.student, rig.student.person(), "class1-36")->has_value());
     }
 
-    /// One could make out who did what.
+    /// With fewer than five students, a band would show who has which score.
     void ofFourPeopleNoBandIsShown_data() { support::addEngines(); }
     void ofFourPeopleNoBandIsShown()
     {
@@ -406,7 +409,8 @@ private slots:
         QCOMPARE(classMedians(rig.school(), rig.student, rig.student.person(), "class1-36").value()->people, 5);
     }
 
-    /// What the one does not see, and what would tell of few people, does not come by way of a student's other class.
+    /// A student of two classes is compared with both, a teacher only with their own class. A class of too few students
+    /// is left out even if the student's other class is large enough.
     void aBandIsOfTheClassesOfWhoAsks_data() { support::addEngines(); }
     void aBandIsOfTheClassesOfWhoAsks()
     {
@@ -421,7 +425,7 @@ private slots:
                 return -1;
             return band.empty() ? 0 : band.front().people;
         };
-        // Sam and Sue are the first class; Sam is with six others in the second, too.
+        // Sam and Sue are the first class. Sam is also in the second class, with six others.
         VERIFY_DONE(enrol(school, rig.admin, rig.second, sam, true));
         std::vector<Login> others;
         for (int k = 0; k < 6; ++k)
@@ -433,20 +437,20 @@ private slots:
             VERIFY_DONE(rig.add(who, lesson, 600));
         QCOMPARE(people(rig.instructor), 0);
         QCOMPARE(people(rig.otherInstructor), 7);
-        QCOMPARE(people(rig.student), 7);  // without Sue, of whose class there are but two
-        // When her class has five students, it counts.
+        QCOMPARE(people(rig.student), 7);  // without Sue, whose class has only two students
+        // Sue's class counts when it has five students.
         for (int k = 0; k < 3; ++k)
             VERIFY_DONE(enrol(school, rig.admin, rig.first, others[static_cast<std::size_t>(k)].person(), true));
         QCOMPARE(people(rig.instructor), 5);
         QCOMPARE(people(rig.student), 8);
         QCOMPARE(people(rig.admin), 8);
-        // Who was disabled is of no class any more.
+        // A disabled student is in no class any more.
         rig.run({"UPDATE people SET disabled = 1 WHERE username = 's3000'"});
         QCOMPARE(people(rig.instructor), 0);
         QCOMPARE(people(rig.otherInstructor), 6);
     }
 
-    /// The last attempts at the lesson tried last count, with overridden scores.
+    /// A student needs help if the latest attempts at the lesson tried last say so. Overridden scores count.
     void whoIsStuckIsToldByTheLastAttempts_data() { support::addEngines(); }
     void whoIsStuckIsToldByTheLastAttempts()
     {
@@ -461,7 +465,8 @@ private slots:
         const auto work = [&](const Login& who, const char* lesson, int tenths, std::size_t day) {
             sams.push_back(rig.add(who, lesson, tenths, dayOf(day)).value());
         };
-        // Sam passed once, then tried another lesson, then the first one five times more. Free practice is no lesson.
+        // Sam passed once, then tried another lesson, then the first one five times more. Free practice is not a
+        // lesson.
         for (const auto& [lesson, tenths, day] :
              {std::tuple("class1-36", 800, 0), std::tuple("decay-21", 700, 2), std::tuple("class1-36", 510, 1),
               std::tuple("class1-36", 520, 3), std::tuple("class1-36", 530, 4), std::tuple("class1-36", 760, 5),
@@ -483,7 +488,8 @@ private slots:
         QCOMPARE(overview.students[1].recentLesson, std::string("decay-21"));
         QCOMPARE(overview.students[1].recentTenths, (std::vector<int>{100}));
         QVERIFY(!needsHelp(overview.students[0]) && !needsHelp(overview.students[1]));
-        // The pass that cleared him is overridden: none of the last three is passed, and none is better by five points.
+        // Sam's passing score is overridden: none of the last three attempts is passed, and none is better by five
+        // points.
         VERIFY_DONE(overrideScore(rig.school(), rig.instructor, sams[5], 535, "The floor was not seen."));
         // Sue returns to the first lesson.
         work(rig.classmate, "class1-36", 410, 4);
@@ -493,7 +499,7 @@ private slots:
         QVERIFY(needsHelp(overview.students[0]));
         QCOMPARE(overview.students[1].recentTenths, (std::vector<int>{410, 400, 400, 400}));
         QVERIFY(needsHelp(overview.students[1]));
-        // Students by lessons: what was assigned, then what was tried.
+        // The rows are students, the columns lessons: first the assigned ones, then others that were tried.
         QCOMPARE(overview.lessons, (std::vector<std::string>{"x-assigned", "class1-36", "decay-21"}));
         QVERIFY(
             (overview.cells[0] == std::vector<MatrixCell>{{}, {7, 800, true, dayOf(6)}, {1, 700, false, dayOf(2)}}));
@@ -501,7 +507,7 @@ private slots:
             (overview.cells[1] == std::vector<MatrixCell>{{}, {4, 410, false, dayOf(4)}, {1, 100, false, dayOf(3)}}));
     }
 
-    /// A pipe would let the school wait for ever, and a device has no end.
+    /// Opening a pipe would block for ever, and reading a device would never end.
     void whatIsNoPlainFileIsNotRead()
     {
         SchoolRig rig(support::populatedSchool(false));
@@ -520,7 +526,7 @@ private slots:
         QVERIFY(large.open(QIODevice::WriteOnly) && large.resize(5LL << 30U));
         VERIFY_REFUSED(openRecording(rig.school(), rig.student, id), ErrorCode::BadStructure);
         QVERIFY(large.remove());
-        // What a link leads to is not the school's to write.
+        // A symbolic link in place of the recording is replaced. The file that it points to is not written.
         QVERIFY(QFile::link(pipe, file));
         VERIFY_DONE(putRecording(rig.school(), recording));
         QVERIFY(QFileInfo(file).isFile() && !QFileInfo(file).isSymLink());
@@ -561,7 +567,7 @@ private slots:
         VERIFY_REFUSED(StationKey::readOrMake(key), ErrorCode::FileUnreadable);
     }
 
-    /// However little there was to write.
+    /// Nothing is left of a file that did not fit on the disk, however small it is.
     void aFullDiskTakesNothing()
     {
         SchoolRig rig(support::populatedSchool(false));
@@ -584,7 +590,7 @@ private slots:
         VERIFY_DONE(StationKey::readOrMake(folder.filePath("another.key")));
     }
 
-    /// Whether or not a score comes of it.
+    /// A begun exam counts as an attempt, whether or not it ends with a score.
     void anExamThatIsBegunIsAnAttempt_data() { support::addEngines(); }
     void anExamThatIsBegunIsAnAttempt()
     {
@@ -599,7 +605,7 @@ private slots:
         };
         const auto without = [&] { return examsWithoutScore(school, rig.instructor, rig.student.person()).value(); };
         QCOMPARE(left(), 3);
-        // One that goes on has no score yet; when it has, it was one attempt and not two.
+        // A running exam has no score yet. With its score it is still one attempt, not two.
         const ExamStart finished = begin("2026-11-20T10:00:00Z");
         QVERIFY(without() == std::vector{finished});
         QCOMPARE(left(), 2);
@@ -608,21 +614,21 @@ private slots:
         VERIFY_DONE(rig.add(rig.student, exam, 700, "2026-11-20T10:10:00Z"));
         QVERIFY(without().empty());
         QCOMPARE(left(), 2);
-        // Broken off, and begun anew.
+        // The exam is abandoned and begun again.
         const ExamStart brokenOff = begin("2026-11-20T11:00:00Z");
         const ExamStart second = begin("2026-11-20T11:05:00Z");
         QVERIFY((without() == std::vector{second, brokenOff}));
         VERIFY_DONE(rig.add(rig.student, exam, 900, "2026-11-20T11:20:00Z"));
         QVERIFY(without() == std::vector{brokenOff});
         QCOMPARE(left(), 0);
-        // Another lesson, and other people, are not touched by it.
+        // The exam start does not affect another lesson or another student.
         VERIFY_DONE(rig.add(rig.student, "other", 900, "2026-11-20T11:01:00Z"));
         QVERIFY(without() == std::vector{brokenOff});
         QCOMPARE(attemptsLeft(school, rig.classmate, exam)->value(), 3);
         QVERIFY(examsWithoutScore(school, rig.student, rig.student.person()).value() == std::vector{brokenOff});
         VERIFY_REFUSED(examsWithoutScore(school, rig.classmate, rig.student.person()), ErrorCode::NotAllowed);
         VERIFY_REFUSED(deliverExam(school, newUid(), brokenOff), ErrorCode::UnknownName);
-        // Two that went on at once, in two windows, have each its score, whichever ended first.
+        // Two exams run at the same time in two windows. Each gets its own score, whichever ends first.
         VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "at-once", "", 3}));
         for (const char* at : {"2026-11-20T11:30:00Z", "2026-11-20T11:32:00Z"})
             VERIFY_DONE(deliverExam(school, rig.student.uid(), {newUid(), "at-once", at}));
@@ -630,17 +636,17 @@ private slots:
             VERIFY_DONE(rig.add(rig.student, "at-once", 900, at));
         QVERIFY(without() == std::vector{brokenOff});
         QCOMPARE(attemptsLeft(school, rig.student, "at-once")->value(), 1);
-        // All lessons at once; one without a limit is left out.
+        // The attempts left in all lessons. A lesson without a limit is not listed.
         VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "unlimited", "", 0}));
         const std::map<std::string, int> allLeft{{exam, 0}, {"at-once", 1}};
         QVERIFY(attemptsLeft(school, rig.student).value() == allLeft);
         QVERIFY(attemptsLeft(school, rig.guest)->empty());
-        // Two that were begun in one second are two.
+        // Two exams begun in the same second count as two.
         for (int k = 0; k < 2; ++k)
             VERIFY_DONE(deliverExam(school, rig.student.uid(), {newUid(), "twins", "2026-11-20T12:00:00Z"}));
         VERIFY_DONE(rig.add(rig.student, "twins", 900, "2026-11-20T12:10:00Z"));
         QCOMPARE(without().size(), std::size_t{2});
-        // When somebody removes a start to regain an attempt, checkDatabase() finds it.
+        // If an exam start is removed to regain an attempt, checkDatabase() reports it.
         QVERIFY(checkDatabase(school.db, {})->findings.empty());
         rig.run(onServer ? QStringList{"DROP TRIGGER exam_starts_no_change ON exam_starts"}
                          : QStringList{"DROP TRIGGER exam_starts_no_update", "DROP TRIGGER exam_starts_no_delete"});
@@ -649,7 +655,7 @@ private slots:
                  "INSERT INTO exam_starts SELECT '00000000000000000000000000000000', person_id, lesson_id, begun_utc "
                  "FROM exam_starts WHERE lesson_id = 'x'"});
         const QString said = support::faultsOf(school.db);
-        QCOMPARE(said.count('\n') + 1, onServer ? 4 : 5);  // one guard there, two here
+        QCOMPARE(said.count('\n') + 1, onServer ? 4 : 5);  // one trigger dropped there, two here
         QVERIFY2(said.contains("is no longer there"), qPrintable(said));
         for (const std::string& uid : {brokenOff.uid, second.uid, std::string(32, '0')})
             QVERIFY2(
@@ -697,7 +703,7 @@ private slots:
         const AttemptId two = rig.add(rig.student, "decay-21", 600).value();
         const auto feedback = [&](const Login& who) { return feedbackFor(school, who, rig.student.person()).value(); };
         QVERIFY(feedback(rig.student).empty());
-        // What students say themselves, and what is said of others, is no news to them.
+        // A student's own comments, and comments on attempts of others, are not feedback for the student.
         VERIFY_DONE(addComment(school, rig.instructor, one, {"too deep", {}, {}}));
         const AttemptId others = rig.add(rig.classmate, "class1-36", 100).value();
         VERIFY_DONE(addComment(school, rig.instructor, others, {"deeper", {}, {}}));
@@ -707,7 +713,7 @@ private slots:
         rig.nowUtc = rig.nowUtc.addSecs(60);
         VERIFY_DONE(seeFeedback(school, rig.student, first));
         QVERIFY(!feedback(rig.student).front().isNew);
-        // The newest comes first, and a new score is news as well.
+        // The newest feedback comes first, and a new score is feedback as well.
         rig.nowUtc = rig.nowUtc.addSecs(60);
         VERIFY_DONE(overrideScore(school, rig.instructor, two, 900, "neat"));
         QVERIFY(feedback(rig.student).front().attempt == two && feedback(rig.student).front().isNew);
@@ -719,7 +725,7 @@ private slots:
         QVERIFY(checkDatabase(school.db, {})->findings.empty());
     }
 
-    /// Its words stay in the database, and nobody is shown them.
+    /// The author of a comment can withdraw it. Its text stays in the database, but is shown to nobody.
     void aCommentIsTakenBackByWhoWroteIt_data() { support::addEngines(); }
     void aCommentIsTakenBackByWhoWroteIt()
     {
@@ -741,7 +747,7 @@ private slots:
         VERIFY_REFUSED(withdrawComment(school, rig.instructor, 999), ErrorCode::UnknownName);
         QCOMPARE(said(rig.student).size(), std::size_t{2});
 
-        // Of two that say the same it is the one that was meant.
+        // Of two comments with the same text, the selected one is withdrawn.
         VERIFY_DONE(withdrawComment(school, rig.instructor, again));
         VERIFY_REFUSED(withdrawComment(school, rig.instructor, again), ErrorCode::ChangedSince);
         for (const Login* who : {&rig.student, &rig.instructor, &rig.admin}) {
@@ -760,7 +766,8 @@ private slots:
         QCOMPARE(support::faultsOf(school.db), QString());
     }
 
-    /// Also by an exam that was broken off; and of several classes the most generous decides, for both.
+    /// An abandoned exam uses up an attempt as well. If a student is in several classes, the highest limit applies both
+    /// to the student and in the teacher's view.
     void aTeacherSeesWhoHasNoAttemptsLeft_data() { support::addEngines(); }
     void aTeacherSeesWhoHasNoAttemptsLeft()
     {
@@ -787,7 +794,7 @@ private slots:
         QCOMPARE(cell.attempts, 0);
         QCOMPARE(cell.withoutScore, 1);
         QCOMPARE(cell.begunUtc, std::string("2026-11-20T10:00:00Z"));
-        // Of the classmate nothing is said.
+        // The classmate's cell is empty.
         QVERIFY(classOverview(school, rig.instructor, rig.first)->cells.at(1).at(0) == MatrixCell{});
         VERIFY_DONE(enrol(school, rig.admin, rig.second, rig.student.person(), true));
         QVERIFY(left() == 0 && isUsedUp(1));
@@ -838,7 +845,7 @@ private slots:
         const support::Station other(rig.address());
         VERIFY_DONE(execute(other.school().db, "BEGIN IMMEDIATE", "hold it"));
         VERIFY_REFUSED(rig.add(rig.student, "class1-36", 500), ErrorCode::Busy);
-        VERIFY_DONE(history(rig.school(), rig.student, rig.student.person(), {}));  // readers are not kept waiting
+        VERIFY_DONE(history(rig.school(), rig.student, rig.student.person(), {}));  // readers need not wait
         VERIFY_DONE(execute(other.school().db, "ROLLBACK", "let it go"));
         VERIFY_DONE(rig.add(rig.student, "class1-36", 500));
     }

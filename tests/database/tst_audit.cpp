@@ -24,7 +24,7 @@ using support::SchoolRig;
 
 namespace {
 
-/// All but the number of a row.
+/// All columns of a row except its number.
 const QString kColumns = QStringLiteral("at_utc, actor, action, object, detail, hash FROM audit");
 
 }  // namespace
@@ -44,7 +44,8 @@ private slots:
     void aSoundChainHasNoFindings()
     {
         SCHOOL_RIG(rig);
-        // A schema that is called like the server's user comes before the one in which the tables lie.
+        // On PostgreSQL, a schema with the name of the server's user comes first in the search path, before the schema
+        // of the tables.
         if (onServer)
             rig.run({"CREATE SCHEMA school"});
         QVERIFY(checkAudit(rig.school().db, {})->empty());
@@ -153,7 +154,8 @@ private slots:
             << false << QStringList{"UPDATE audit_seal SET seq = 5000"} << "row 31 was removed";
     }
 
-    /// Whoever logs in afterwards, the station notes that the chain did not end as it was signed.
+    /// Damages the chain and logs in: the station notes once that the chain does not end as it was signed, and the
+    /// finding remains.
     void goingOnMakesNothingGood()
     {
         QFETCH(QStringList, deeds);
@@ -189,7 +191,8 @@ private slots:
         QVERIFY(chainFault(rig.school(), {"3-000000000000"}).contains("row 3 ("));
         QVERIFY(chainFault(rig.school(), {"31-000000000000"}).contains("row 31, which a report names, is not there"));
         QVERIFY(!chainFault(rig.school(), {"nonsense"}).isEmpty());
-        // Somebody with the file follows the chain's rules; a printed report still tells.
+        // Someone with access to the file changes a row and signs the chain again. The code of a printed report still
+        // reveals it.
         const auto newest = readAudit(rig.school(), rig.admin, 2);
         AuditRow row = newest->front();
         row.actor = "nobody";
@@ -202,7 +205,7 @@ private slots:
         QVERIFY(chainFault(rig.school(), {code}).contains("is not the one that a report names"));
     }
 
-    /// The end is cut off, and somebody signs the rest with a key that they have just made.
+    /// The end of the chain is removed, and the rest is signed with a key made for the purpose.
     void aStationThatNeverJoinedIsFound()
     {
         SchoolRig rig(chain(false));
@@ -221,7 +224,7 @@ private slots:
         QVERIFY(chainFault(rig.school()).contains("did not end as they had been signed"));
     }
 
-    /// The chain and its signature are whole, and still it is not this computer's.
+    /// The chain and its signature are valid, but the key is not this computer's.
     void whoeverElseSignsIsNamed()
     {
         SchoolRig rig(support::populatedSchool(false));
@@ -342,7 +345,8 @@ private slots:
         QVERIFY2(said.contains(finding), qPrintable(said));
     }
 
-    /// Whoever removes rows of the audit shall not have others accused.
+    /// If a row of the audit was removed, the change that it noted is reported with the remark that it may be
+    /// legitimate.
     void whatALostRowNotedMayBeRight()
     {
         SchoolRig rig(chain(false));
@@ -421,7 +425,7 @@ private slots:
     }
 
 private:
-    /// A school whose audit has 30 rows, and nothing that guards them.
+    /// Returns a school whose audit has 30 rows and no triggers that protect them.
     SchoolRig& chain(bool onServer)
     {
         auto& rig = m_chains[onServer];
@@ -433,7 +437,7 @@ private:
         }
         return *rig;
     }
-    /// A school with some of all that the audit notes.
+    /// Returns a school with examples of everything that the audit notes.
     SchoolRig& fullSchool(bool onServer)
     {
         auto& rig = m_full[onServer];
@@ -467,7 +471,7 @@ private:
         VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-36", "", 3}));
         VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
         VERIFY_DONE(unassign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
-        // Whoever changes what was given, it stays with who gave it.
+        // The creator of an assignment stays its creator, whoever changes it later.
         VERIFY_DONE(assign(school, rig.admin, {0, rig.first, "class1-36", "", 4},
                            ClassAssignment{0, rig.first, "class1-36", "", 3}));
         VERIFY_DONE(addPerson(school, rig.admin, {"s1003", "Cod", "Three", Role::Student}));
@@ -481,7 +485,7 @@ private:
         rig.run({off.arg("presets"), off.arg("overrides"), off.arg("exam_starts")});
     }
 
-    /// Lets the test do what only somebody with the file in their hands can.
+    /// Removes the triggers that protect the audit, which takes write access to the database itself.
     static void unlock(const SchoolRig& rig)
     {
         rig.run(
@@ -489,7 +493,7 @@ private:
                 ? QStringList{"DROP TRIGGER audit_no_change ON audit", "ALTER TABLE audit DROP CONSTRAINT audit_pkey"}
                 : QStringList{"DROP TRIGGER audit_no_update", "DROP TRIGGER audit_no_delete"});
     }
-    /// Rows of the program's own.
+    /// Adds rows to the audit by way of the program.
     static void work(const SchoolRig& rig, int times)
     {
         for (int k = 0; k < times; ++k)

@@ -24,12 +24,12 @@ using namespace database::sql;
 using core::ErrorCode;
 using namespace std::chrono_literals;
 
-/// Refused in a sentence that contains the words and the path.
+/// Checks that opening the path is refused with an error that contains the words and the path.
 #define REFUSED(path, expected, words)                                                                                 \
     for (const QString& part : {QString(words), QString(path)})                                                        \
     VERIFY_REFUSED(Database::open(path, 10ms), expected, part.toStdString())
 
-/// Where an empty database is, of the row's engine; skips where there is no server.
+/// Defines the location of an empty database on the engine of the test's row. Skips the test if there is no server.
 #define WHERE(name, file)                                                                                              \
     QFETCH(bool, onServer);                                                                                            \
     if (onServer)                                                                                                      \
@@ -59,7 +59,7 @@ private slots:
             QVERIFY2(ask(*database, QStringLiteral("PRAGMA ") + setting) == value, setting);
     }
 
-    /// A text is never kept where a number belongs.
+    /// The tables are STRICT: a text cannot be stored in a number column.
     void everyTableIsStrict()
     {
         const auto database = Database::open(at("strict.db")).value();
@@ -67,25 +67,25 @@ private slots:
             "FROM pragma_table_list WHERE schema = 'main' AND type = 'table' AND name NOT LIKE 'sqlite_%'";
         QVERIFY(ask(*database, "SELECT count(*) " + ours).toInt() >= 16);
         QCOMPARE(ask(*database, "SELECT group_concat(name) " + ours + " AND strict = 0").toString(), QString());
-        // And that is what it means.
+        // A wrong type is refused.
         QSqlQuery query(database->handle());
         QVERIFY(!query.exec("INSERT INTO failed_logins VALUES ('x', 'many', 0)"));
         QVERIFY(query.exec("INSERT INTO failed_logins VALUES ('x', 1, 0)"));
     }
 
-    /// As the system tells of them, not as a test would have them.
+    /// The kinds of the real file systems of this computer are recognized.
     void drivesOfThisComputerAreKnown()
     {
         for (const char* folder : {"/dev/shm", "/proc"})
             if (QFileInfo(folder).isDir())
                 QVERIFY2(fileSystemOf(QLatin1String(folder) + "/cusp.db") == FileSystem::Local, folder);
-        // The folder counts, whether or not the file is there.
+        // The folder decides, whether or not the file exists.
         const QByteArray kind = QStorageInfo(m_folder->path()).fileSystemType();
         const QByteArrayList network{"nfs", "nfs4", "cifs", "smb3", "9p", "afs", "ceph", "lustre", "vboxsf"};
         const bool isNetwork = network.contains(kind) || kind.startsWith("fuse");
         QVERIFY2((fileSystemOf(at("cusp.db")) == FileSystem::Network) == isNetwork, kind.constData());
         QVERIFY(fileSystemOf(at("nowhere/cusp.db")) == FileSystem::Local);
-        // And it is what a database goes by that nobody has told otherwise.
+        // A database opened without options uses the same test.
         const auto database = Database::open(at("here.db")).value();
         QCOMPARE(database->allowsOthers(), !isNetwork);
     }
@@ -96,7 +96,7 @@ private slots:
         Database::Options options;
         options.patience = 10ms;
         const auto there = Address::parse(at("drive.db")).value();
-        // What lay on a disk before, and has a write-ahead log.
+        // The database was on a local disk before and has a write-ahead log.
         QVERIFY(Database::open(there, options).has_value());
         options.fileSystemOf = [](const QString&) { return FileSystem::Network; };
         {
@@ -114,8 +114,8 @@ private slots:
         QCOMPARE(ask(*next, "PRAGMA journal_mode").toString(), QStringLiteral("wal"));
     }
 
-    /// Closing any descriptor of a file drops all locks of the process on it. Another program that ended then would
-    /// remove the write-ahead log that this one uses.
+    /// Closing any descriptor of a file drops all locks of the process on it. If another program closed the database
+    /// then, it would remove the write-ahead log that this one uses.
     void aSecondConnectionTakesNoLockAway()
     {
         const auto first = Database::open(at("held.db")).value();
@@ -130,7 +130,7 @@ private slots:
             QSKIP("this system does not tell of its locks");
         QVERIFY(Database::open(at("held.db")).has_value());
         QCOMPARE(locks(), held);
-        // Nor does whoever asks whether the file is a database of ours.
+        // Checking whether a file is a Cusp database must not release the locks either.
         QVERIFY(!Database::open(m_folder->path()).has_value());
         QCOMPARE(locks(), held);
     }
@@ -144,7 +144,7 @@ private slots:
 
     void refusesAPlaceThatCannotBeWritten()
     {
-        // /proc refuses new files to everyone, root included.
+        // Nobody can create a file in /proc, not even root.
         const QString proc = QStringLiteral("/proc/cusp.db");
         if (QFileInfo(QStringLiteral("/proc")).isDir())
             REFUSED(proc, ErrorCode::FileUnwritable, "choose a folder that exists and is writable");
@@ -164,7 +164,7 @@ private slots:
         QCOMPARE(bytes(at("letter.db")), letter);
         write(at("short.db"), "SQL");
         REFUSED(at("short.db"), ErrorCode::WrongKind, "not a database");
-        // The right first line and nothing behind it.
+        // A valid signature followed by garbage.
         write(at("liar.db"), QByteArray("SQLite format 3", 16) + QByteArray(200, 'x'));
         QVERIFY(!Database::open(at("liar.db"), 10ms).has_value());
     }
@@ -177,7 +177,7 @@ private slots:
         QCOMPARE(bytes(at("other.db")), before);
     }
 
-    /// As it was given, so that it can be used again.
+    /// The error repeats the address as given, so that the user can enter it again.
     void namesAServerWithItsPort()
     {
         if (!QSqlDatabase::isDriverAvailable("QPSQL"))
@@ -200,13 +200,13 @@ private slots:
         }
         QByteArray content = bytes(at("hurt.db"));
         QVERIFY(content.size() > 5 * 4096);
-        // A page in the middle of the table overwritten.
+        // Overwrites a page in the middle of the table.
         content.replace(3 * 4096, 4096, QByteArray(4096, '\x5A'));
         write(at("hurt.db"), content);
         REFUSED(at("hurt.db"), ErrorCode::BadStructure, "restore a backup");
     }
 
-    /// And does not call the file damaged: its disk is sound.
+    /// The error does not call the file damaged, because the disk is sound.
     void refusesARowThatNoProgramOfOursWrites()
     {
         support::SchoolRig rig(support::populatedSchool(false));
@@ -252,7 +252,7 @@ private slots:
         QTEST(ask(rig.database(), "SHOW synchronous_commit").toString(), "used");
     }
 
-    /// It takes leave of each connection with words like those for whom it does not let in.
+    /// A server that is shutting down ends each connection with an error that resembles a refused login.
     void aServerThatWasStoppedIsAway()
     {
         NEEDS_SERVER();
@@ -293,7 +293,7 @@ private slots:
 
     void aServersOwnFunctionsAreFoundFirst_data() { support::rows<QString>("home", {"public", "Cusp \"2\""}); }
 
-    /// Who owns a database may set what its sessions begin with.
+    /// The owner of a database may set the search path of its sessions.
     void aServersOwnFunctionsAreFoundFirst()
     {
         QFETCH(QString, home);
@@ -353,9 +353,9 @@ private slots:
         QVERIFY(db.tables().contains("half"));
     }
 
-    /// Whoever edits a step that schools have taken makes new schools unlike those, and no migration brings them
-    /// together. What is to be otherwise goes into a step of its own, with the next number; that one gets its line
-    /// below (sha256sum database/migrations/*.sql), in the commit that adds it.
+    /// A shipped migration must never be edited: new databases would differ from existing ones, and no migration could
+    /// bring them together. Put every change into a new migration with the next number, and add its line below
+    /// (sha256sum database/migrations/*.sql) in the same commit.
     void stepsThatWereShippedAreNeverEdited()
     {
         const QByteArrayList asShipped{
@@ -367,7 +367,7 @@ private slots:
             "cc63a51f32da2d503c5a188886edbc6077ea45deafb36afcbe63332e5c449b8a",  // 0006_exam_starts.sql
             "a2214c4df6915b12d232e0cfda9250b36b40d1bed498daab1d4b7a13256f8a29",  // 0007_withdrawn_comments.sql
             "50e780a091ed98cac13d30c67bb3ff1eb14ad38fa7a208d719821b2c61c0dde4",  // 0008_class_pages.sql
-            // the next one
+            // add the next one here
         };
         const auto steps = shippedMigrations();
         VERIFY_DONE(steps);

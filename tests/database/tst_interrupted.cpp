@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs that are killed at any moment, several that do the same at once, servers that stop, and bytes that flip:
-// many rounds of each.
+// Many rounds each: programs killed at random moments, several doing the same thing at once, servers that stop, and
+// flipped bits.
 #include <csignal>
 #include <functional>
 #include <map>
@@ -34,7 +34,7 @@ constexpr int kDone = 0;
 constexpr int kTooLate = 1;
 constexpr int kOtherwise = 2;
 
-/// Work in a process of its own.
+/// Runs a function in a process of its own. Returns the id of the process.
 pid_t begin(const std::function<int()>& work)
 {
     const pid_t other = fork();
@@ -43,14 +43,15 @@ pid_t begin(const std::function<int()>& work)
     return other;
 }
 
-/// -1: it was killed.
+/// Waits for a process to end. Returns its exit code, or -1 if it was killed.
 int exitOf(pid_t other)
 {
     int status = 0;
     return waitpid(other, &status, 0) == other && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// How many of some processes that do the same at once end with kDone. None ends otherwise than that, or too late.
+/// Runs several processes that do the same thing at once. Returns how many end with kDone; negative if one ends with
+/// neither kDone nor kTooLate.
 int together(int count, const std::function<int()>& work)
 {
     std::vector<pid_t> others;
@@ -66,7 +67,8 @@ int together(int count, const std::function<int()>& work)
     return done;
 }
 
-/// All rows of all tables, but for what nobody compares with the audit: when somebody was entered, and was here last.
+/// Returns a sum over all rows of each table. Leaves out the columns that the audit does not cover: when a user was
+/// added and when they last logged in.
 std::map<QString, RowSum> sumsOf(const QSqlDatabase& db)
 {
     const QStringList moments{"created_utc", "last_login_utc"};
@@ -88,7 +90,7 @@ class TestInterrupted : public QObject
     Q_OBJECT
 
 private slots:
-    /// And restored again: what was there lies whole in one of the files.
+    /// After the kill, a second restore succeeds, and the replaced database is complete in one of the files.
     void aRestoreKilledAtAnyMomentLosesNothing()
     {
         QTemporaryDir elsewhere;
@@ -108,7 +110,7 @@ private slots:
             for (const char* end : {"", "-wal"})
                 QVERIFY(QFile::copy(crashed + end, file + end));
             const pid_t other = begin([&] { return restoreBackup(backup, file, now) ? kDone : kOtherwise; });
-            usleep(static_cast<useconds_t>(round) * 500);  // each time a later moment
+            usleep(static_cast<useconds_t>(round) * 500);  // later in each round
             kill(other, SIGKILL);
             exitOf(other);
             VERIFY_DONE(restoreBackup(backup, file, now.addSecs(1)));
@@ -120,7 +122,7 @@ private slots:
         }
     }
 
-    /// Two programs: one of them restores, and whoever comes too early is told so.
+    /// Two programs restore at once. At least one succeeds, and one that finds the file in use is refused.
     void twoRestoresAtOnceLeaveTheFileThere()
     {
         QTemporaryDir folder;
@@ -139,12 +141,12 @@ private slots:
             QVERIFY(QFile::exists(file));
         }
         QCOMPARE(attemptsIn(file), 0);
-        // What was there each time lies there whole, and nothing else is left.
+        // Each replaced file is still there, and no temporary file is left.
         QCOMPARE(QDir(folder.path()).entryList({"replaced-*"}, QDir::Files).size(), restored);
         QVERIFY(QDir(folder.path()).entryList({"school.sqlite.*"}, QDir::Files).isEmpty());
     }
 
-    /// Each waits for nobody, and takes nothing from another.
+    /// Backups and migrations of several programs do not wait for each other and do not remove each other's files.
     void backupsAndMigrationsAtOnceLeaveEachOtherAlone()
     {
         SchoolRig rig(support::populatedSchool(false));
@@ -175,7 +177,7 @@ private slots:
         }
     }
 
-    /// Nor is there half of one, or an empty one, that somebody might take for it.
+    /// A killed copy leaves no partial or empty database that could be taken for a complete one.
     void aCopyThatIsKilledIsNoSchool_data() { support::addEngines(); }
     void aCopyThatIsKilledIsNoSchool()
     {
@@ -197,7 +199,7 @@ private slots:
             return source && there &&
                    copySchool({(*source)->handle(), key}, first.admin, {(*there)->handle(), key}, progress);
         };
-        const auto killedAtTheRecordings = [&] {  // they come last
+        const auto killedAtTheRecordings = [&] {  // the recordings are copied last
             static_cast<void>(copy([](const QString& what, std::int64_t) {
                 if (what == u"recordings")
                     _exit(kDone);
@@ -254,10 +256,10 @@ private slots:
                 ++found;
                 continue;
             }
-            // Harmless: not a value is another one.
+            // The flip was harmless: no value has changed.
             std::map<QString, RowSum> now = sumsOf((*opened)->handle());
             for (const auto& [table, sum] : sums)
-                // A next number that is higher is as good, and one that is taken is found.
+                // A higher next number does no harm, and the check would find one that is in use.
                 QVERIFY2(table == u"sqlite_sequence" || now[table] == sum,
                          qPrintable(QStringLiteral("byte %1, a row of %2").arg(at).arg(table)));
         }
@@ -275,7 +277,7 @@ private slots:
         VERIFY_DONE(takeTurn(stopped));
         const Station other(rig.address());
         VERIFY_DONE(Logins::login(other.school(), "s1001", SchoolRig::kPassword));
-        // When it goes on it is told that its connection is gone, and connects again.
+        // When the suspended program continues, it gets the error that its connection is gone, and reconnects.
         VERIFY_REFUSED(execute(stopped.db, "COMMIT", "end it"), ErrorCode::ConnectionLost);
         VERIFY_DONE(rig.database().reconnect());
         VERIFY_DONE(Logins::logout(stopped, rig.student));
@@ -289,8 +291,8 @@ private slots:
         QTest::newRow("the server stays away") << true << false;
     }
 
-    /// Somebody is entered, and the server goes after it has kept that and before it has said so: it waits for a second
-    /// server, which there is not.
+    /// The server stops between saving a new user and confirming it: it waits for a standby server that does not exist.
+    /// After reconnecting, the program finds out by itself whether the user was saved.
     void howItEndedIsAskedForWhereNobodyAnswered()
     {
         QFETCH(bool, isStopped);

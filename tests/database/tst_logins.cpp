@@ -19,7 +19,7 @@ using support::SchoolRig;
 
 namespace {
 
-/// Of this thread, so that other programs do not count.
+/// Returns the processor time of this thread, ms, so that other programs do not count.
 double cpuMs(const std::function<void()>& work)
 {
     timespec begun{};
@@ -33,7 +33,7 @@ double cpuMs(const std::function<void()>& work)
 
 double failedLoginMs(SchoolRig& rig, const std::string& name)
 {
-    rig.nowUtc = rig.nowUtc.addDays(1);  // no wait
+    rig.nowUtc = rig.nowUtc.addDays(1);  // so that no waiting time applies
     return cpuMs([&] { VERIFY_REFUSED(rig.logIn(name, "wrong horse"), ErrorCode::WrongLogin); });
 }
 
@@ -48,7 +48,7 @@ struct FailedLogins
     }
 };
 
-/// Medians of nine: of a name that somebody has, and of names that nobody has.
+/// Returns the median time of nine failed logins with an existing username, and with unknown ones.
 FailedLogins timeFailedLogins(SchoolRig& rig)
 {
     std::vector<double> known;
@@ -68,7 +68,7 @@ QString kept(const DatabaseContext& school, const QString& column)
     return ask(school.db, "SELECT " + column + " FROM people WHERE username = 's1001'", "look").value().toString();
 }
 
-/// Fails to log in as often as no waiting time follows.
+/// Fails to log in as many times as are possible without a waiting time.
 void fail(const SchoolRig& rig, const std::string& name)
 {
     for (int k = 0; k < Logins::kFreeFailures; ++k)
@@ -87,7 +87,7 @@ private slots:
     {
         SCHOOL_RIG(rig);
         QCOMPARE(Logins::isNew(rig.school()).value(), true);
-        // Nobody is there to log in as, and no password that is shipped.
+        // There is no user yet, and no default password.
         for (const char* guess : {"", "admin", "password", "cusp"}) {
             VERIFY_REFUSED(rig.logIn("admin", guess), ErrorCode::WrongLogin);
             rig.nowUtc = rig.nowUtc.addSecs(3600);
@@ -124,27 +124,28 @@ private slots:
         QCOMPARE(answers.size(), std::size_t{1});
     }
 
-    /// Until they log in again, people's passwords are kept at the old cost: so must nobody's be.
+    /// Existing hashes keep the old cost until their users log in. So must the comparison for an unknown username.
     void unknownNamesTakeAsLongAfterTheCostWasRaised()
     {
         SchoolRig rig(support::populatedSchool(false));
         constexpr PasswordCost kDear{12, 8 << 20};
         VERIFY_DONE(raisePasswordCost(rig.school(), rig.admin, kDear));
         const FailedLogins times = timeFailedLogins(rig);
-        // At the new cost it would be a hundred times as long.
+        // A comparison at the new cost would take a hundred times as long.
         QVERIFY2(times.unknownMs < 5.0 * times.knownMs, qPrintable(times.words()));
     }
 
-    /// Nor do they take longer: by either one could tell who is here.
+    /// A login with an unknown username must take no longer either. A difference in time would reveal which usernames
+    /// exist.
     void unknownNamesAreNotAnsweredAtOnce()
     {
         SchoolRig rig(support::populatedSchool(false));
         const double cheapMs = timeFailedLogins(rig).knownMs;
         VERIFY_DONE(raisePasswordCost(rig.school(), rig.admin, {12, 8 << 20}));
         for (const char* name : {"admin", "teach", "teach2", "s1001", "s1002", "s2001"})
-            VERIFY_DONE(rig.logIn(name));  // and so at the new cost
+            VERIFY_DONE(rig.logIn(name));  // which rehashes the password at the new cost
         const FailedLogins times = timeFailedLogins(rig);
-        // Else it is not the comparing that takes the time, and nothing is shown.
+        // Otherwise the comparison would not dominate the time, and the test would show nothing.
         QVERIFY2(times.knownMs > 5.0 * cheapMs,
                  qPrintable(times.words() + QStringLiteral(", cheap %1 ms").arg(cheapMs)));
         QVERIFY2(times.unknownMs < 2.0 * times.knownMs && times.knownMs < 2.0 * times.unknownMs,
@@ -161,7 +162,7 @@ private slots:
                                      ' ' + QString(code).replace('-', QChar(0x2013)) + ' '})
             VERIFY_REFUSED(rig.logIn("slip", typed.toStdString()), ErrorCode::NewPassword);
         VERIFY_DONE(Logins::redeem(rig.school(), "slip", QString(code).remove('-').toStdString(), "another horse"));
-        // Twelve letters may be a password, too.
+        // A word of twelve letters may be a password.
         VERIFY_DONE(Logins::changePassword(rig.school(), rig.logIn("slip", "another horse").value(), "another horse",
                                            "zebrafinches"));
         VERIFY_DONE(rig.logIn("slip", "zebrafinches"));
@@ -171,7 +172,7 @@ private slots:
     void failuresDoubleTheWaitAcrossRuns()
     {
         COPY_OF(support::populatedSchool, rig);
-        // Also of a name that nobody has.
+        // The same applies to an unknown username.
         for (const char* name : {"s1001", "nobody"}) {
             fail(rig, name);
             for (int wait = 1; wait <= 8; wait *= 2) {
@@ -188,10 +189,10 @@ private slots:
             rig.nowUtc = rig.nowUtc.addSecs(16);
         }
         VERIFY_DONE(rig.logIn("s1001"));
-        // Forgiven: the next failure costs nothing.
+        // A successful login resets the count: the next failure causes no wait.
         VERIFY_REFUSED(rig.logIn("s1001", "wrong"), ErrorCode::WrongLogin);
         VERIFY_DONE(rig.logIn("s1001"));
-        // However often one tries, the wait ends.
+        // The waiting time has an upper limit, however many logins fail.
         for (int k = 0; k < 40; ++k) {
             static_cast<void>(rig.logIn("s1002", "wrong"));
             rig.nowUtc = rig.nowUtc.addSecs(std::chrono::seconds(Logins::kLongestWait).count());
@@ -199,7 +200,7 @@ private slots:
         VERIFY_DONE(rig.logIn("s1002"));
     }
 
-    /// The clock goes back by a year, or is that of a station that is ahead of the next one by a year.
+    /// The clock is set back by a year, or one station's clock is a year ahead of another's.
     void aWrongClockLocksNobodyOutForLong_data() { support::addEngines(); }
     void aWrongClockLocksNobodyOutForLong()
     {
@@ -231,7 +232,7 @@ private slots:
         VERIFY_REFUSED(rig.logIn("s1001"), ErrorCode::TooSoon);
     }
 
-    /// A list of guesses does not fill the disk.
+    /// Failed logins with very many usernames must not fill the disk.
     void oldFailuresOfManyNamesAreForgotten_data() { support::addEngines(); }
     void oldFailuresOfManyNamesAreForgotten()
     {
@@ -258,7 +259,7 @@ private slots:
         QVERIFY(rig.isOpen());
         const QSqlDatabase& db = rig.school().db;
         QVERIFY(std::abs(clockOf(db)().secsTo(QDateTime::currentDateTimeUtc())) < 60);
-        // A clock that is two hours ahead.
+        // The server's clock is two hours ahead.
         rig.run({"CREATE FUNCTION clock_timestamp() RETURNS timestamptz LANGUAGE sql AS $$ SELECT "
                  "pg_catalog.clock_timestamp() + interval '2 hours' $$",
                  "SET search_path = public, pg_catalog"});
@@ -277,7 +278,7 @@ private slots:
         VERIFY_REFUSED(Logins::redeem(rig.school(), "s1002", code, "another horse"), ErrorCode::WrongLogin);
         VERIFY_REFUSED(Logins::redeem(rig.school(), "s1001", code, "short"), ErrorCode::OutOfRange);
         VERIFY_REFUSED(Logins::redeem(rig.school(), "s1001", code, "WXYZ-WXYZ-2345"), ErrorCode::OutOfRange);
-        // As somebody copies it from paper.
+        // The code as a user types it from paper: a leading space and small letters.
         const std::string typed = ' ' + QString::fromStdString(code).toLower().toStdString();
         VERIFY_DONE(Logins::redeem(rig.school(), "s1001", typed, "another horse"));
         VERIFY_REFUSED(Logins::redeem(rig.school(), "s1001", code, "third horse!"), ErrorCode::WrongLogin);
@@ -286,7 +287,7 @@ private slots:
         const std::string late = resetPassword(rig.school(), rig.admin, sam).value().code;
         rig.nowUtc = rig.nowUtc.addSecs(std::chrono::seconds(Logins::kCodeLife).count() + 1);
         VERIFY_REFUSED(rig.logIn("s1001", late), ErrorCode::WrongLogin);
-        // Neither code nor password stand in the database.
+        // Neither code nor password is in the database.
         QCOMPARE(kept(rig.school(), "password_hash"), QString());
         QVERIFY(!kept(rig.school(), "reset_hash").contains(QString::fromStdString(late)));
     }
@@ -303,7 +304,7 @@ private slots:
         VERIFY_DONE(putSetting(rig.school(), "", "password.passes", "3"));
         VERIFY_DONE(rig.logIn("s1001"));
         QVERIFY2(hash().startsWith("$argon2id$v=19$m=8,t=3,p=1$"), qPrintable(hash()));
-        // An admin's computer can pay more: not for a little, not less, and nobody else decides it.
+        // Only an admin can raise the cost. A small increase and any decrease are ignored.
         VERIFY_DONE(raisePasswordCost(rig.school(), rig.admin, {5, 8192}));
         VERIFY_DONE(raisePasswordCost(rig.school(), rig.admin, {1, 8192}));
         QVERIFY(passwordCost(rig.school()).value() == (PasswordCost{3, 8192}));
@@ -313,7 +314,7 @@ private slots:
         QVERIFY2(hash().startsWith("$argon2id$v=19$m=8,t=6,p=1$"), qPrintable(hash()));
         VERIFY_REFUSED(rig.logIn("nobody", "whatever it is"), ErrorCode::WrongLogin);
         VERIFY_DONE(rig.logIn("s1001"));
-        // What passwords cost is nobody's to change or to read as a setting.
+        // The cost of passwords cannot be changed or read as an ordinary setting.
         VERIFY_REFUSED(changeSetting(rig.school(), rig.admin, "password.passes", "1"), ErrorCode::NotAllowed);
         const auto settings = readSettings(rig.school(), rig.admin);
         VERIFY_DONE(settings);
@@ -321,7 +322,7 @@ private slots:
             QVERIFY(name.rfind("password.", 0) != 0);
     }
 
-    /// So that a check tells it from one that somebody has written into the database.
+    /// The audit notes each change, so that a check detects a hash that was written into the database directly.
     void everyChangeOfAPasswordIsNoted_data() { support::addEngines(); }
     void everyChangeOfAPasswordIsNoted()
     {
@@ -346,12 +347,12 @@ private slots:
         QCOMPARE(support::faultsOf(school.db), QString());
     }
 
-    /// Also where somebody has written into the database that passwords cost nothing.
+    /// A hash keeps its cost even if the settings in the database ask for less.
     void aHashIsNeverMadeCheaper()
     {
         SchoolRig rig(support::populatedSchool(false));
         DatabaseContext school = rig.school();
-        school.leastCost = {};  // as outside of tests
+        school.leastCost = {};  // the value outside of tests
         const auto hash = [&school] { return kept(school, "password_hash"); };
         QVERIFY(passwordCost(school).value() == PasswordCost{});
         VERIFY_DONE(Logins::login(school, "s1001", SchoolRig::kPassword));
@@ -364,7 +365,7 @@ private slots:
         VERIFY_DONE(putSetting(school, "", "password.memory", "8192"));
         VERIFY_DONE(Logins::login(school, "s1001", SchoolRig::kPassword));
         QCOMPARE(hash(), dear);
-        // Nor does anybody wait for ever at the door.
+        // An excessive cost in the settings is limited as well, so that no login takes for ever.
         VERIFY_DONE(putSetting(school, "", "password.passes", "100000"));
         VERIFY_DONE(putSetting(school, "", "password.memory", "99999999999999"));
         QVERIFY(passwordCost(school).value() == (PasswordCost{16, std::size_t{1} << 30U}));
@@ -374,7 +375,8 @@ private slots:
         QVERIFY(!wantsRehash(dear.toStdString(), {2, std::size_t{128} << 20U}));
     }
 
-    /// Too short or too long, the user's own name, words, and keys, digits and letters in a row.
+    /// A password is refused if it is too short or too long, contains the username, or is a common word or a sequence
+    /// of keys, digits or letters.
     void passwordsThatEverybodyGuessesAreRefused()
     {
         for (const std::string& guessed :
@@ -412,7 +414,7 @@ private slots:
         const int before = studentsOfHis();
         VERIFY_DONE(changePerson(rig.school(), rig.admin, sam));
         QCOMPARE(studentsOfHis(), before - 1);
-        // Two admins change one person: a field that only the other admin changed keeps their value.
+        // Two admins change one user: a field that only the other admin changed keeps the other's value.
         Person asItWas = sam;
         asItWas.disabled = false;
         Person renamed = asItWas;
@@ -420,7 +422,7 @@ private slots:
         VERIFY_DONE(changePerson(rig.school(), rig.admin, renamed, asItWas));
         QVERIFY(findPerson(rig.school(), rig.admin, sam.username)->disabled);
         QCOMPARE(findPerson(rig.school(), rig.admin, sam.username)->givenName, std::string("Samuel"));
-        // What the other has changed as well is not undone unseen.
+        // A change to a field that the other admin has also changed is refused.
         Person called = asItWas;
         called.givenName = "Sammy";
         called.familyName = "Other";
@@ -428,19 +430,19 @@ private slots:
         const Person now = findPerson(rig.school(), rig.admin, sam.username).value();
         QCOMPARE(now.givenName, std::string("Samuel"));
         QCOMPARE(now.familyName, asItWas.familyName);
-        VERIFY_DONE(changePerson(rig.school(), rig.admin, renamed, asItWas));  // both want the same
+        VERIFY_DONE(changePerson(rig.school(), rig.admin, renamed, asItWas));  // both ask for the same value
         const auto seen = changePerson(rig.school(), rig.admin, called, now);
         VERIFY_DONE(seen);
         QCOMPARE(seen->fullName(), std::string("Sammy Other"));
         QCOMPARE(findPerson(rig.school(), rig.admin, sam.username)->fullName(), seen->fullName());
         VERIFY_DONE(changePerson(rig.school(), rig.admin, sam));
         VERIFY_REFUSED(standingsOf(rig.school(), rig.student, rig.student.person()), ErrorCode::Disabled);
-        // And who is no instructor any more loses what they may.
+        // An instructor who becomes a student loses the rights of an instructor.
         Person ines = findPerson(rig.school(), rig.admin, "teach").value();
         ines.role = Role::Student;
         VERIFY_DONE(changePerson(rig.school(), rig.admin, ines));
         VERIFY_REFUSED(listPeople(rig.school(), rig.instructor), ErrorCode::NotAllowed);
-        // Somebody must stay who can let others in.
+        // The last admin cannot be disabled or given another role.
         Person ada = findPerson(rig.school(), rig.admin, "admin").value();
         ada.disabled = true;
         VERIFY_REFUSED(changePerson(rig.school(), rig.admin, ada), ErrorCode::NobodyLeft);
@@ -463,14 +465,14 @@ private slots:
         VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {std::string(65, 'x'), "", "", Role::Student}),
                        ErrorCode::OutOfRange);
         VERIFY_DONE(addPerson(rig.school(), rig.admin, {std::string(64, 'x'), "", "", Role::Student}));
-        // Persian and Hindi are written with joiners.
+        // Persian and Hindi need the zero-width joiners.
         VERIFY_DONE(addPerson(
             rig.school(), rig.admin,
             {"joined", "\u0639\u0644\u06CC\u200C\u0631\u0636\u0627", "\u0936\u094D\u200D\u0930", Role::Student}));
         for (const char* unseen : {"A\u202Eb", "A\nb", "A\u200Bb", "\u0007"})
             VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"hidden", unseen, "", Role::Student}),
                            ErrorCode::OutOfRange);
-        // A rare form of a kanji.
+        // A kanji with a variation selector.
         VERIFY_DONE(addPerson(rig.school(), rig.admin, {"rare", "\u845B\U000E0100", "", Role::Student}));
         const char* nasty = "Robert'); DROP TABLE people; --";
         VERIFY_DONE(addPerson(rig.school(), rig.admin, {"bobby", nasty, "Tables", Role::Student}));
@@ -485,7 +487,7 @@ private slots:
         QVERIFY(timedCost(200.0).passes >= quick.passes);
     }
 
-    /// Beside a hash that is timed here: how long a pass takes is this computer's own.
+    /// The expected time is measured here, because it depends on the computer.
     void theCostIsTimedOnThisComputer()
     {
         const auto hashMs = [](const PasswordCost& cost) {
@@ -499,7 +501,7 @@ private slots:
         const double neededMs = hashMs(timed);
         QVERIFY2(neededMs > goalMs / 3.0 && neededMs < 2.0 * goalMs,
                  qPrintable(QStringLiteral("%1 ms instead of %2 ms").arg(neededMs).arg(goalMs)));
-        // Who wants more time gets a dearer cost, up to sixteen passes.
+        // A longer time gives a higher cost, at most sixteen passes.
         QVERIFY(timedCost(1.5 * onePassMs).passes <= timed.passes);
         QCOMPARE(timedCost(1000.0 * onePassMs).passes, 16ULL);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calls every operation as every role, on what is one's own, a classmate's and a stranger's, and compares what happens
-// with this table. It is written out here a second time on purpose.
+// Calls every operation as every role on the user's own data, a classmate's and a stranger's, and compares the outcome
+// with this table. The table repeats the program's own on purpose.
 #include <array>
 #include <functional>
 #include <map>
@@ -31,11 +31,11 @@ using support::SchoolRig;
 
 namespace {
 
-/// Whose thing is asked for.
+/// The owner of the data that an operation is called on.
 enum Target { Mine, Classmates, Strangers, kTargets };
 constexpr std::array kTargetNames{"one's own", "a classmate's", "a stranger's"};
 
-/// What each role may: "-" nothing, "o" on one's own, "c" on those of one's classes, "a" on all.
+/// What each role may do: "-" nothing, "o" with its own data, "c" with those of its classes, "a" with all.
 const std::map<Operation, const char*> kAllowed{
     //                                 guest student instructor admin
     {Operation::ChangeOwnPassword, "-ooo"},
@@ -66,7 +66,7 @@ const std::map<Operation, const char*> kAllowed{
     {Operation::CopySchool, "---a"},
 };
 
-/// One function of the program, with what it is asked about.
+/// One function of the program and the owners it can be called for.
 struct Call
 {
     template <class Ask>
@@ -86,11 +86,11 @@ struct Call
 
     Operation operation;
     const char* name;
-    bool hasTarget;  ///< else it is about nobody's thing
+    bool hasTarget;  ///< false: the function is about no user's data
     std::function<core::Status(const Login&, Target)> call;
 };
 
-/// A school in which every user owns something, and all requests that a session can make.
+/// A school in which every user has data, and all calls that a login can make.
 class Asked
 {
 public:
@@ -256,9 +256,9 @@ private slots:
                     if (!call.hasTarget && target != Mine)
                         continue;
                     if (role == 0 && target == Mine && call.hasTarget)
-                        continue;  // a guest has nothing of their own
+                        continue;  // a guest has no data
                     const char may = kAllowed.at(call.operation)[role];
-                    // Students of a teacher's class belong to the teacher too. Nobody marks their own work.
+                    // Students of a teacher's class belong to the teacher too. A teacher cannot mark their own work.
                     const bool marks = call.operation == Operation::Comment || call.operation == Operation::Override;
                     const bool expected = may == 'a' || (may != '-' && !call.hasTarget) ||
                                           (may == 'o' && target == Mine) ||
@@ -277,7 +277,7 @@ private slots:
         }
         QCOMPARE(called.size(), kOperations);
         QCOMPARE(kAllowed.size(), kOperations);
-        // The program's own table says the same.
+        // The table of the program is the same.
         for (const auto& [operation, roles] : kAllowed)
             for (std::size_t role = 0; role < kRoles; ++role) {
                 const Reach reach = reachOf(operation, static_cast<Role>(role));
@@ -285,7 +285,7 @@ private slots:
             }
     }
 
-    /// Whoever adds a function that takes a session and does not add it to the calls above is told here.
+    /// Fails if a function that takes a login is missing from the calls above.
     void everyFunctionOfASessionIsAmongThem()
     {
         SchoolRig rig(support::populatedSchool(false));
@@ -294,10 +294,10 @@ private slots:
         for (const Call& call : asked.calls)
             called.insert(QLatin1String(call.name));
         const std::set<QString> others{
-            "authorize",    "authorizeFor", "authorizeForClass",  // which do the refusing
-            "logout",                                             // anybody may leave
-            "attemptsLeft",                                       // of one's own; a guest's are not counted
-            "noteRestored"  // after mayRestore(), by whom the restored school may not know
+            "authorize",    "authorizeFor", "authorizeForClass",  // they do the checking
+            "logout",                                             // anybody may log out
+            "attemptsLeft",                                       // own attempts; a guest's are not counted
+            "noteRestored"  // follows mayRestore(); the restored school may not know the user
         };
         static const QRegularExpression kTakesSession(R"(\b(\w+)\(\s*const DatabaseContext& \w+,\s*const Login& \w+)");
         const QDir folder(QStringLiteral(CUSP_SOURCE_DIR "/database/sql"));
@@ -322,7 +322,7 @@ private slots:
         const AttemptId own = rig.add(rig.instructor, "class1-36", 500).value();
         for (const Login* who : {&rig.instructor, &rig.otherInstructor})
             VERIFY_REFUSED(overrideScore(rig.school(), *who, own, 1000, "neat"), ErrorCode::NotAllowed);
-        // What colleagues tell each other is another thing.
+        // A colleague may comment on the work, but a teacher may not comment on their own.
         VERIFY_REFUSED(addComment(rig.school(), rig.instructor, own, {"neat", {}, {}}), ErrorCode::NotAllowed);
         VERIFY_DONE(addComment(rig.school(), rig.otherInstructor, own, {"neat", {}, {}}));
         const AttemptId his = rig.add(rig.student, "class1-36", 500).value();
@@ -347,7 +347,7 @@ private slots:
         QCOMPARE(names(rig.admin).size(), std::size_t{6});
         for (const auto& [me, attempts] :
              {std::pair(&rig.instructor, 2), std::pair(&rig.otherInstructor, 1), std::pair(&rig.admin, 3)}) {
-            int exported = -1;  // without the head
+            int exported = -1;  // without the header line
             VERIFY_DONE(exportAttempts(rig.school(), *me, [&exported](std::string_view) {
                 ++exported;
                 return true;

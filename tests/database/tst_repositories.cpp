@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The repositories over a real database, on both engines: what a use case promises beyond the functions it is made of.
+// The repositories on a real database, on both engines: what each use case guarantees beyond the functions it calls.
 #include <algorithm>
 
 #include <QDir>

@@ -33,7 +33,7 @@ using support::SchoolRig;
 
 namespace {
 
-/// The widest permissions that any file had while a school, a backup or a restored copy was made.
+/// The widest permissions of any file created while a school, a backup or a restored copy was made.
 mode_t widest = 0;
 
 void noteMode(const QByteArray& path, mode_t mode)
@@ -44,7 +44,7 @@ void noteMode(const QByteArray& path, mode_t mode)
 
 }  // namespace
 
-// In the place of the C library's. Qt makes its files by open64().
+// Replaces the function of the C library. Qt creates its files with open64().
 extern "C" {
 
 int open64(const char* path, int flags, ...)
@@ -92,7 +92,7 @@ bool runOn(const QString& file, const QStringList& statements)
                        [&raw](const QString& sql) { return execute(raw.handle(), sql, "prepare it").has_value(); });
 }
 
-/// Writes noise over the page that a table begins on.
+/// Overwrites the first page of a table with noise.
 bool spoil(const QString& file, const char* table)
 {
     constexpr qint64 kPage = 4096;
@@ -122,7 +122,7 @@ private slots:
         m_crashed = m_backups.filePath("crashed.sqlite");
         for (const char* end : {"", "-wal"})
             QVERIFY(QFile::copy(m_rig.address() + end, m_crashed + end));
-        // In the same second.
+        // A second backup in the same second.
         m_school = backUp(m_rig.school().db, m_backups.path(), m_rig.nowUtc).value();
         QVERIFY(m_school != m_backup);
         SchoolRig other(false);
@@ -153,10 +153,10 @@ private slots:
         QCOMPARE(attemptsIn(*replaced), 1);
         QCOMPARE(attemptsIn(file()), 0);
         QVERIFY(checkDatabase(Database::open(file()).value()->handle(), {})->findings.empty());
-        // Once more in the same second.
+        // A second restore in the same second.
         VERIFY_DONE(restoreBackup(m_school, file(), m_now));
         QCOMPARE(there("replaced-*").size(), 2);
-        // A database in use is no backup.
+        // A database that is in use cannot serve as a backup.
         QVERIFY(QFile::copy(m_crashed, at("used.sqlite")) && QFile::copy(m_crashed + "-wal", at("used.sqlite-wal")));
         VERIFY_REFUSED(restoreBackup(at("used.sqlite"), file(), m_now), ErrorCode::WrongKind);
         VERIFY_REFUSED(restoreBackup(file(), file(), m_now), ErrorCode::WrongKind);
@@ -200,7 +200,7 @@ private slots:
             [](const QString& path) { return QFile::remove(path) && QDir().mkdir(path); });
     }
 
-    /// Nor is it restored.
+    /// A damaged file is neither accepted as a backup nor restored.
     void whatIsNotWholeIsNoBackup()
     {
         QFETCH(std::function<bool(const QString&)>, harm);
@@ -215,7 +215,7 @@ private slots:
         QCOMPARE(contentOf(file()), before);
     }
 
-    /// It says that it is of an older schema than it is.
+    /// The backup claims an older schema than it has, so its migration fails.
     void aBackupThatCannotBeMigratedReplacesNothing()
     {
         const QString backup = at("backup.sqlite");
@@ -240,7 +240,7 @@ private slots:
         QCOMPARE(there(), QStringList{"school.sqlite"});
     }
 
-    /// A part that is younger than a day may belong to a backup that another program is making.
+    /// An unfinished part younger than a day may belong to a backup that another program is making.
     void whatAKilledBackupLeavesGoesWithTheNext()
     {
         const auto leave = [this](const QString& name, int hoursAgo) {
@@ -264,13 +264,13 @@ private slots:
             VERIFY_REFUSED(restoreBackup(backup, file(), m_now), ErrorCode::WrongKind, "move that file away first");
             QCOMPARE(contentOf(file()), before);
         }
-        // Whoever wants it moves the file away.
+        // To restore the backup of another school, the user must move the present file away.
         QVERIFY(QFile::rename(file(), at("away.sqlite")));
         QCOMPARE(restoreBackup(m_other, file(), m_now).value(), QString());
-        // A file that is damaged says nothing.
+        // A damaged file no longer shows which school it belongs to, so it can be replaced.
         QVERIFY(putNoise(file()));
         VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
-        // What was copied into another database is a school of its own.
+        // A copy into another database is a school of its own.
         SchoolRig copy(false);
         VERIFY_DONE(copySchool(m_rig.school(), m_rig.admin, copy.school()));
         VERIFY_REFUSED(restoreBackup(backUp(copy.school().db, m_folder->path(), m_now).value(), file(), m_now),
@@ -297,7 +297,7 @@ private slots:
         QCOMPARE(newestSound(file()), others);
     }
 
-    /// Who has it open would go on writing into the file that was moved away.
+    /// The other program would continue to write into the file that was moved away.
     void nothingIsRestoredUnderAnotherProgram()
     {
         std::array<int, 2> ready{};
@@ -325,7 +325,7 @@ private slots:
         QCOMPARE(attemptsIn(file()), 0);
     }
 
-    /// Whatever it was at, and with what a killed one has left there.
+    /// The restore is stopped at each step in turn, with leftovers of a killed restore in the folder.
     void aStoppedRestoreReplacesNothing()
     {
         const QByteArray before = contentOf(file());
@@ -347,7 +347,7 @@ private slots:
         QVERIFY(there("backup*").isEmpty());
     }
 
-    /// Each program would have its own log beside the name by which it was opened.
+    /// The file has two names. Each program would write a log next to the name that it opened.
     void aFileOfTwoNamesIsRefused()
     {
         const QString other = at("other.sqlite");
@@ -359,13 +359,13 @@ private slots:
         QCOMPARE(there(), (QStringList{"other.sqlite", "school.sqlite"}));
         QVERIFY(QFile::remove(other));
         QCOMPARE(attemptsIn(file()), 1);
-        // Of a backup nobody writes the names: programs that save disk space give it several.
+        // A backup is not written to, so several names are harmless. Programs that save disk space create them.
         QVERIFY(QFile::copy(m_backup, at("backup.sqlite")));
         QCOMPARE(link(qPrintable(at("backup.sqlite")), qPrintable(other)), 0);
         VERIFY_DONE(restoreBackup(at("backup.sqlite"), file(), m_now));
     }
 
-    /// Names, marks and hashes of passwords, also while the file grows.
+    /// Files with names, marks and password hashes are readable for their owner only, also while they grow.
     void onlyTheOwnerReadsWhatIsKept()
     {
         const auto others = QFile::ReadGroup | QFile::ReadOther | QFile::WriteGroup | QFile::WriteOther;
@@ -383,7 +383,7 @@ private slots:
         QCOMPARE(widest, mode_t{0600});
         VERIFY_DONE(restoreBackup(backup, at("nothing.sqlite"), m_now));
         QVERIFY(!(QFile::permissions(at("nothing.sqlite")) & others));
-        // Who wants that others of the group read it says so, and it stays so.
+        // Permissions that the owner has given to the group are preserved.
         QVERIFY(QFile::setPermissions(file(), QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
         VERIFY_DONE(restoreBackup(backup, file(), m_now));
         QVERIFY(QFile::permissions(file()) & QFile::ReadGroup);
@@ -391,7 +391,7 @@ private slots:
 
     void aFullDiskIsToldAndChangesNothing()
     {
-        VERIFY_DONE(Database::open(file()));  // which gives it a write-ahead log
+        VERIFY_DONE(Database::open(file()));  // creates the write-ahead log
         {
             const support::FullDisk full(10);
             VERIFY_REFUSED(Database::open(file()), ErrorCode::FileUnwritable);
@@ -415,7 +415,7 @@ private slots:
 
     void whatCannotBeWrittenIsRefused()
     {
-        VERIFY_DONE(Database::open(file()));  // which gives it a write-ahead log
+        VERIFY_DONE(Database::open(file()));  // creates the write-ahead log
         QCOMPARE(chmod(qPrintable(file()), 0444) + chmod(qPrintable(m_folder->path()), 0555), 0);
         {
             const auto back = asNobody();
@@ -425,7 +425,8 @@ private slots:
         QCOMPARE(chmod(qPrintable(m_folder->path()), 0755), 0);
     }
 
-    /// What SQLite puts beside a file that may not be written may not be written either, and stays there.
+    /// SQLite gives the -shm file of a read-only database read-only permissions too, and the file stays. The database
+    /// must be writable again later all the same.
     void whatCouldNotBeWrittenOnceCanBeLater()
     {
         QVERIFY(runOn(file(), {"PRAGMA journal_mode = WAL"}));
@@ -444,7 +445,7 @@ private slots:
         VERIFY_DONE(execute((*open)->handle(), change, "write"));
     }
 
-    /// On a disk that is read-only, or marked so.
+    /// The backup is in a read-only folder and is read-only itself.
     void aReadOnlyBackupIsRestored()
     {
         QVERIFY(QDir().mkdir(at("medium")));
@@ -479,14 +480,14 @@ private slots:
                 kept += file;
         QVERIFY(kept.contains("somebody-elses.sqlite"));
         QVERIFY(kept.contains("before-schema-3-2026-01-01-00.00.00.sqlite"));
-        // The last of each of twelve days.
+        // The last backup of each of twelve days is kept.
         for (int day = 0; day < 12; ++day)
             QVERIFY(kept.contains("backup-" + when.addDays(-day).toString("yyyy-MM-dd-HH.mm.ss") + ".sqlite"));
-        // A copy from before an accident outlives those that are made after it.
+        // The copy from before the migration is kept longer than those that were made after it.
         QVERIFY(kept.contains("backup-2026-11-20-09.00.00.sqlite"));
         QVERIFY(kept.contains("backup-2026-11-19-09.00.00.sqlite"));
         QVERIFY(!kept.contains("backup-2026-11-18-09.00.00.sqlite"));
-        // Twelve days lie in two or three of ten weeks, and those in three or four of nine months.
+        // Twelve days belong to two or three of ten weeks, and those weeks to three or four of nine months.
         QVERIFY2(kept.size() - 4 >= 12 + 7 + 5 && kept.size() - 4 <= 12 + 9 + 8, qPrintable(kept.join('\n')));
         QVERIFY(kept.contains("backup-2026-03-31-18.00.00.sqlite"));
         QVERIFY(!kept.contains("backup-2026-02-28-18.00.00.sqlite"));
@@ -522,11 +523,11 @@ private slots:
             VERIFY_DONE(migrate(raw.handle(), std::span(*steps).first(steps->size() - 1)));
             VERIFY_DONE(execute(raw.handle(), "INSERT INTO enrolments VALUES (99, 99)", "break a key"));
         }
-        // Its copy does not pass the check, and so it stays as it is.
+        // The migrated copy does not pass the check, so the file stays as it is.
         VERIFY_REFUSED(Database::open(old), ErrorCode::BadStructure);
         QCOMPARE(ask(RawFile(old).handle(), "PRAGMA user_version", "look")->toInt(), version);
         QVERIFY(saved().isEmpty());
-        // Nor is one kept of a file that could not be changed.
+        // No copy is kept of a file that could not be migrated.
         QVERIFY(runOn(old, {"DELETE FROM enrolments", "PRAGMA user_version = 2"}));
         QVERIFY(!Database::open(old).has_value());
         QVERIFY(saved().isEmpty());
@@ -547,11 +548,11 @@ private:
     SchoolRig m_rig{false};
     std::unique_ptr<QTemporaryDir> m_folder;
     QTemporaryDir m_backups;
-    QString m_backup;   ///< without an attempt
-    QString m_school;   ///< a backup with one
-    QString m_crashed;  ///< with one, which stands in the log beside it
-    QString m_empty;    ///< nobody is in it
-    QString m_other;    ///< of another school
+    QString m_backup;   ///< a backup without an attempt
+    QString m_school;   ///< a backup with an attempt
+    QString m_crashed;  ///< a database with an attempt that is only in the log next to it
+    QString m_empty;    ///< a database without users
+    QString m_other;    ///< a backup of another school
     const QDateTime m_now = QDateTime(QDate(2026, 11, 21), QTime(12, 0), Qt::UTC);
 };
 

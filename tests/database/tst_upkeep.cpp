@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Migrations, copies between engines, class lists, and what a check finds.
+// Migrations, copies between engines, class lists, and the findings of a check.
 #include <QDir>
 #include <QSqlError>
 #include <QTest>
@@ -28,7 +28,7 @@ class TestUpkeep : public QObject
 
 private slots:
     void initTestCase() { m_rig.populate(); }
-    /// With what was in it.
+    /// The content is preserved.
     void everyOlderSchemaIsBroughtToTheNewest_data() { support::addEngines(); }
     void everyOlderSchemaIsBroughtToTheNewest()
     {
@@ -83,7 +83,7 @@ private slots:
             QCOMPARE(support::faultsOf(db), QString());
             if (onServer)
                 continue;
-            // The copy from before it can be restored, and is migrated then.
+            // The copy from before the migration can be restored, and is then migrated.
             const QDir backups(backupFolder(where));
             const QStringList copies = backups.entryList({QStringLiteral("before-schema-%1-*").arg(version + 1)});
             QCOMPARE(copies.size(), 1);
@@ -124,7 +124,7 @@ private slots:
             QVERIFY(*openAttempt(rig->school(), *session, id) == *openAttempt(first.school(), first.student, id));
             QCOMPARE(openRecording(rig->school(), *session, id).value(), recording);
             QVERIFY(*readTalk(rig->school(), *session, id) == *readTalk(first.school(), first.student, id));
-            // Numbers go on behind those that came along.
+            // New numbers continue after the copied ones.
             const auto next = addAttempt(rig->school(), *session, SchoolRig::attempt("class1-36", 1), {});
             VERIFY_DONE(next);
             QVERIFY(next->value > id.value);
@@ -136,7 +136,7 @@ private slots:
         SchoolRig first(support::populatedSchool(false));
         VERIFY_DONE(first.add(first.student, SchoolRig::attempt("class1-36", 500), "a recording"));
         SchoolRig target(false);
-        // It comes last.
+        // The seal is written last.
         target.run({"CREATE TRIGGER stop BEFORE UPDATE ON audit_seal BEGIN SELECT RAISE(ABORT, 'stop'); END"});
         const auto isEmpty = [&target] { return target.count("people") == 0 && target.count("audit") == 0; };
         QVERIFY(!copySchool(first.school(), first.admin, target.school()).has_value());
@@ -173,12 +173,12 @@ private slots:
         QCOMPARE(all.count('\n'), 2);
     }
 
-    /// What they write between two looks is none of the check's.
+    /// Changes that other stations make during a check cause no findings.
     void itIsCheckedWhileOthersWrite_data() { support::addEngines(); }
     void itIsCheckedWhileOthersWrite()
     {
         COPY_OF(support::populatedSchool, rig);
-        // More than it reads at once.
+        // More rows than the check reads at once.
         VERIFY_DONE(inTurn(rig.school(), "note backups", [&]() -> core::Status {
             AuditBatch batch(rig.school());
             for (int k = 0; k < 2100; ++k)
@@ -200,7 +200,7 @@ private slots:
         QVERIFY(checkDatabase(rig.school().db, {}, [](const char*, std::int64_t) { return false; })->isStopped);
     }
 
-    /// In a spreadsheet no name is a formula.
+    /// A name that begins like a formula is quoted, so that a spreadsheet does not evaluate it.
     void whatASpreadsheetWouldRunIsQuoted()
     {
         for (const char* sign : {"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"})
@@ -218,7 +218,7 @@ private slots:
         QVERIFY2(csv.find(",0.1,no,,80.0,345.678,0.850,2.400,") != std::string::npos, csv.c_str());
     }
 
-    /// Beyond the first plane of Unicode a letter takes two of QString's places.
+    /// A character outside Unicode's Basic Multilingual Plane takes two elements of a QString, but counts as one.
     void lettersAreCountedAndNotTheirHalves()
     {
         SchoolRig rig(support::populatedSchool(false));
@@ -227,7 +227,7 @@ private slots:
         VERIFY_REFUSED(addClass(rig.school(), rig.admin, of(101)), ErrorCode::OutOfRange);
         VERIFY_DONE(checkPersonName(of(200)));
         VERIFY_REFUSED(checkPersonName(of(201)), ErrorCode::OutOfRange);
-        // In a file they are parted by bars.
+        // A bar is not allowed in a class name, because it separates the classes in a list.
         VERIFY_REFUSED(addClass(rig.school(), rig.admin, "DEN|101"), ErrorCode::OutOfRange);
         QVERIFY(!renameClass(rig.school(), rig.admin, rig.second, "DEN|101"));
     }
@@ -250,7 +250,8 @@ private slots:
         VERIFY_REFUSED(changeSetting(rig.school(), rig.admin, "idle.minutes", most + 'x'), ErrorCode::OutOfRange);
     }
 
-    /// Or with one of five digits, which nothing is noted and no backup is named by.
+    /// The same applies to a year of five digits. Neither a row of the audit nor the name of a backup can hold such a
+    /// date.
     void aClockWithoutAYearIsSaidToBeWrong_data() { support::addEngines(); }
     void aClockWithoutAYearIsSaidToBeWrong()
     {
@@ -267,7 +268,7 @@ private slots:
 
     void aClassListSaysWhatIsWrongWithItsFile_data()
     {
-        // A fault: the line, the column, and what is named.
+        // A fault is "line/column/value".
         support::columns<QByteArray, QStringList>("file", "faults");
         const auto row = [](const char* name, const QByteArray& file, const QStringList& faults) {
             QTest::newRow(name) << file << faults;
@@ -331,7 +332,7 @@ private slots:
         QVERIFY(dry->faults.empty());
         QCOMPARE(dry->people.size(), std::size_t{2});
         QVERIFY(dry->people[0].isNew && dry->people[0].code.empty() && !dry->people[1].isNew);
-        // Another name may be a slip of the line.
+        // Another name in the list may be an error in the line, so the old name is shown.
         QVERIFY(dry->people[0].nameBefore.empty());
         QCOMPARE(dry->people[1].nameBefore, before1001);
         const auto shorter =
@@ -346,13 +347,13 @@ private slots:
         QCOMPARE(findPerson(rig.school(), rig.admin, "new1")->familyName, std::string("Berg; af"));
         QCOMPARE(findPerson(rig.school(), rig.admin, "s1001")->familyName, std::string("Renamed"));
         QCOMPARE(listClasses(rig.school(), rig.admin)->size(), std::size_t{3});
-        // A rare kanji beyond the first plane of Unicode; a role that the list leaves open stays what it is.
+        // A kanji outside the Basic Multilingual Plane. If the list leaves the role empty, the role stays as it is.
         const auto rare = importRoster(rig.school(), rig.admin,
                                        "username,given_name,family_name,role\nteach,,,\nrare1,太,𠮷田,\n", true);
         VERIFY_DONE(rare);
         QVERIFY2(rare->faults.empty(), rare->faults.empty() ? "" : rare->faults.front().what.c_str());
         QCOMPARE(rare->people[0].role, Role::Instructor);
-        // As spreadsheets of three kinds write it: rows of separators, a line that names them, the ends of old lines.
+        // Variants that spreadsheets write: rows of separators only, a line that names the separator, old line ends.
         for (const char* odd :
              {"username,class\ns1001,\n,,\n , \n", "sep=;\nusername;class\ns1001;\n", "username,class\rs1001,\r,\r"}) {
             const auto same = importRoster(rig.school(), rig.admin, odd, false);

@@ -35,7 +35,7 @@ std::string withPayload(std::string_view bytes, std::string_view payload)
     return out.bytes();
 }
 
-/// A slab with an empty rim, over the ideal's grid.
+/// Returns a slab with an empty rim, on the grid of the ideal.
 terrain::ToothAnatomy slabOf(const terrain::Grid& grid)
 {
     terrain::ToothAnatomy anatomy;

@@ -28,7 +28,7 @@ void readJournal(std::string_view bytes)
     promise(attempt.has_value() && (*attempt)->recording.events() == recording.events());
 }
 
-/// Mends the checksums of a journal whose frames a fuzzer has changed.
+/// Corrects the checksums of a journal whose frames a fuzzer has changed.
 std::string withChecksums(std::string_view bytes)
 {
     constexpr std::size_t kFileHeader = 12;

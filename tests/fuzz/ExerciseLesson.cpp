@@ -19,7 +19,7 @@ void exerciseLesson(std::string_view bytes)
         return;
     }
     promise(lessons::check(read.lesson->rubric).has_value());
-    // What a recording takes along is the same lesson.
+    // The text that a recording stores must be the same lesson.
     const lessons::ReadLesson again = lessons::readLessonText(QByteArray::fromStdString(read.lesson->json), name);
     promise(again.lesson && *again.lesson == *read.lesson);
 }

@@ -23,7 +23,7 @@ constexpr std::uint32_t kEndSection = 4;
 constexpr std::size_t kLargestSection = 64ULL * 1024 * 1024;
 constexpr int kLargestGrid = 160;  // a larger one takes too long for a fuzzer
 
-/// The bytes with the payload of each whole section put through `change` and its size and checksum set to match.
+/// Returns the bytes after applying `change` to the payload of each whole section. Sizes and checksums are updated.
 std::string forEachSection(std::string_view bytes,
                            const std::function<std::string(std::uint32_t, std::string_view)>& change)
 {

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-/// What a fuzz target does with its input, for the target and for the unit test that runs its corpus. Each reads the
-/// bytes as they are, and again with the parts corrected that a fuzzer cannot guess: checksums, sizes, packing. It
-/// aborts if a promise is broken.
+/// The functions that fuzz targets run on their input. Unit tests run them on the corpus. Each reads the bytes
+/// unchanged, and again after correcting the parts that a fuzzer cannot guess: checksums, sizes, packing. It aborts if
+/// a guarantee is broken.
 namespace fuzz {
 
 inline void promise(bool kept)
@@ -40,7 +40,7 @@ void exercisePath(std::string_view bytes);
 /// Reads a recording, and replays it if it is short: no force is above the limit, no material grows, and the bytes read
 /// back.
 void exerciseRecording(std::string_view bytes);
-/// Does this with the bytes as they are only.
+/// Reads and replays a recording likewise, but only with the bytes unchanged.
 void playRecording(std::string_view bytes);
 /// Returns the bytes with the sections unpacked, as a seed.
 [[nodiscard]] std::string unpacked(std::string_view bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every fuzz target: CMake tells it which exercise it is.
+// The source of every fuzz target. CMake defines which exercise it runs.
 #include <cstddef>
 #include <cstdint>
 

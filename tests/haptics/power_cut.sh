@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What a cut of power leaves of an attempt. An attempt is drilled on a small disk of its own (ext4 in a file); at random
-# moments that file is cloned, which takes what has reached the disk and nothing of what the kernel still holds, and the
-# clone is mounted and searched as after a cut. Needs root, loop devices and XFS, whose clones are of one moment.
+# Measures how much of an attempt a power cut leaves. An attempt is drilled on a small disk of its own (ext4 in a file).
+# At random moments the file is cloned: the clone has everything that has reached the disk and nothing that the kernel
+# still buffers. The clone is then mounted and searched as after a power cut. Needs root, loop devices and XFS, whose
+# clones are atomic.
 #   tests/haptics/power_cut.sh [CUTS]
 set -euo pipefail
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pedals and gamepads through SDL's virtual joysticks: the code that reads real ones.
+// Pedals and gamepads simulated by SDL's virtual joysticks, read by the code that reads real ones.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -30,7 +30,7 @@ const Controller* find(const ControllerReport& report, int instance)
     return found == report.controllers.end() ? nullptr : &*found;
 }
 
-/// What is plugged in by that number; an empty one if there is none.
+/// Returns the controller with this number; an empty one if none is plugged in.
 Controller seen(const ControllerInput& input, int instance)
 {
     const ControllerReport report = input.report();
@@ -122,7 +122,7 @@ private slots:
         QCOMPARE(m_input->report().pedal, PedalStage::NotChosen);
         QCOMPARE(m_pedal.percent(), std::uint8_t{0});
         m_input->setPedal(axisOf(seen(*m_input, pedal->instance())));
-        QTRY_COMPARE(m_input->report().pedal, PedalStage::WaitsForRest);  // pressed when it was chosen
+        QTRY_COMPARE(m_input->report().pedal, PedalStage::WaitsForRest);  // it was pressed when it was selected
         QCOMPARE(m_pedal.percent(), std::uint8_t{0});
         pedal->setAxis(0, -1.0);
         QTRY_COMPARE(m_input->report().pedal, PedalStage::Ready);
@@ -149,7 +149,7 @@ private slots:
         QTRY_COMPARE(m_pedal.percent(), std::uint8_t{0});
         QTRY_COMPARE(m_input->report().pedal, PedalStage::Missing);
         QCOMPARE(m_input->report().unplugged, before + 1);
-        // Plugged in again while pressed: not before it was released.
+        // A pedal that is plugged in while pressed has no effect until it was released.
         pedal = std::make_unique<VirtualController>("A pedal", SDL_JOYSTICK_TYPE_THROTTLE, Uint16{3}, Uint16{2});
         pedal->setAxis(0, 1.0);
         QTRY_COMPARE(m_input->report().pedal, PedalStage::WaitsForRest);
@@ -174,7 +174,7 @@ private slots:
         QCOMPARE(m_pedal.percent(), std::uint8_t{0});
         second->setAxis(0, 1.0);
         QTRY_COMPARE(m_pedal.percent(), std::uint8_t{100});
-        first.reset();  // concerns nobody
+        first.reset();  // no effect, as it is not in use
         second->setAxis(0, 0.05);
         QTRY_COMPARE(m_pedal.percent(), std::uint8_t{50});
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a simulated hand cuts where decay is to go: all of it, little beside it, and no harm.
+// The cavity that a simulated hand cuts to remove decay: it removes all of it, with little sound tissue and no harm.
 #include <QTest>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ const Bur& pear()
     return core::bur::burs()[core::bur::findBur("330").value()];
 }
 
-/// Decay between two heights, within a radius of a place.
+/// Adds decay between two heights, within a radius of a place.
 void decay(ToothAnatomy& anatomy, double x, double y, double radiusMm, float roof, float floor)
 {
     support::eachNode(anatomy.grid, [&](std::size_t k, const glm::dvec2& at) {
@@ -31,7 +31,7 @@ void decay(ToothAnatomy& anatomy, double x, double y, double radiusMm, float roo
     });
 }
 
-/// How many columns still hold decay under such a top.
+/// Returns the number of columns that still have decay below this top map.
 int decayedColumns(const ToothAnatomy& anatomy, const std::vector<float>& top)
 {
     int count = 0;
@@ -65,7 +65,7 @@ private slots:
             if (top[k] < anatomy->top[k])
                 beside = std::max(beside, std::hypot(at.x - 0.3, at.y + 0.2) - 1.2);
         });
-        // From within: no wider than the end of the bur is rounded.
+        // The cavity is wider than the decay by at most the radius of the bur's end.
         QVERIFY2(beside < pear().headRadiusMm, qPrintable(QString::number(beside)));
     }
 
@@ -86,7 +86,7 @@ private slots:
                 QVERIFY(top[k] > anatomy->layers[k].pulpRoof);
     }
 
-    /// Firm decay is left, and leathery decay over the pulp, as far as the head of a bur can follow.
+    /// Firm decay is left, and so is leathery decay over the pulp, as far as the head of a bur can follow.
     void firmDecayMayStay()
     {
         const auto anatomy = support::slab(-1.0F);
@@ -100,7 +100,7 @@ private slots:
         });
     }
 
-    /// Decay that comes to the flank: what it has no tooth behind is not cut through to clear it.
+    /// Decay reaches the flank. Where there is no tooth behind it, it is not cut through to remove it.
     void theToothIsNotPiercedAtItsRim()
     {
         const auto anatomy = support::slab(-1.0F);

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Says where it is, and keeps what it was given.
+/// Reports a position that the test sets, and stores the values that it receives.
 struct StubDevice final : haptics::HapticDevice
 {
     glm::vec3 tipMm{0.0F, 0.0F, 5.0F};
@@ -147,7 +147,7 @@ private slots:
         QCOMPARE(first.beginnings, 0);
     }
 
-    /// A bur that a device held deep in the tooth is above it after the change, and no force was felt.
+    /// The lost device held the bur deep in the tooth. After the change the bur is above the tooth, without any force.
     void theHandOfThePointerHoversAfterADeviceIsLost()
     {
         rt::TripleBuffer<core::servo::PointerInput> input;
@@ -184,7 +184,7 @@ private slots:
 
         devices.select(pointer);
         for (int n = 0; n < 500; ++n) {
-            // Without a reading the servo bridges a few ticks; no device gets that force.
+            // The servo bridges a few ticks without a reading. No device receives that force.
             const bool isRead = tick().present;
             QVERIFY(!isRead || glm::length(servo->state().forceN) < 0.01);
             QVERIFY(!servo->state().cutting);
@@ -196,7 +196,7 @@ private slots:
         want.pushing = false;
         input.publish(want);
         tick();
-        want.pushing = true;  // pressed again
+        want.pushing = true;  // pressed a second time
         input.publish(want);
         for (int n = 0; n < 1500; ++n)
             tick();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The emulated Falcon by itself: a host is written here straight against libusb and the facts of the device, so that
-// the emulator is checked without the driver that it is made for.
+// Tests of the emulated Falcon by itself. The host here uses libusb directly and follows the facts of the device, so
+// that the emulator is checked without the driver that it is made for.
 #include <QTest>
 #include <array>
 #include <atomic>
@@ -50,7 +50,7 @@ constexpr std::uint16_t kBaudRunning = 0x0002;
 const Bytes kQuery{0x0A, 0x43, 0x0D};
 const Bytes kQueryAnswer{0x0A, 0x44, 0x2C, 0x0D};
 
-/// A program that uses a Falcon: libusb calls, and nothing of the driver but the codec.
+/// A program that uses a Falcon through libusb calls. Of the driver it uses only the codec.
 class Host
 {
 public:
@@ -109,7 +109,7 @@ public:
         return libusb_bulk_transfer(m_handle, 0x02, bytes.data(), static_cast<int>(bytes.size()), nullptr, 1000);
     }
 
-    /// Reads until there are so many bytes, or the time is over.
+    /// Reads until there are this many bytes, or the time is over.
     Bytes read(std::size_t count, std::chrono::milliseconds patience = 100ms)
     {
         Bytes received;
@@ -152,7 +152,7 @@ public:
         write({'A'});
         return read(count);
     }
-    /// @returns how many bytes came back as they were sent, in whole blocks
+    /// @returns the number of bytes that were echoed correctly, in whole blocks
     std::size_t sendImage(const Bytes& image)
     {
         std::size_t sent = 0;
@@ -184,7 +184,7 @@ public:
         return true;
     }
 
-    /// One exchange. Null if no answer came in time.
+    /// Makes one exchange. Returns null if no answer came in time.
     std::optional<Answer> exchange(const Request& request, std::chrono::milliseconds patience = 100ms)
     {
         const auto frame = haptics::falcon::encode(request);
@@ -212,12 +212,12 @@ private:
     FrameReader m_reader;
 };
 
-/// Runs it in a process of its own. Returns whether that process was aborted.
+/// Runs a function in a process of its own. Returns whether that process was aborted.
 bool aborts(const std::function<void()>& misuse)
 {
     const pid_t child = fork();
     if (child == 0) {
-        // The abort is wanted: no crash report, and no sentence.
+        // The abort is expected: no crash report and no message.
         std::signal(SIGABRT, SIG_DFL);
         std::fclose(stderr);
         misuse();
@@ -228,7 +228,7 @@ bool aborts(const std::function<void()>& misuse)
     return WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT;
 }
 
-/// A transfer with a buffer, and how it ended.
+/// A transfer with its buffer and result.
 struct Transfer
 {
     explicit Transfer(libusb_device_handle* handle, unsigned char endpoint = 0x81, int length = 64,
@@ -323,14 +323,14 @@ private slots:
         QVERIFY(host.exchange({}));
         QVERIFY(falcon.state().motorsAreZero());
         QVERIFY(*falcon.state().lastNonZero < *falcon.state().lastRequest);
-        // What runs survives a reset of the program, and a pulse of DTR ends it.
+        // The firmware survives a restart of the program, and a pulse of DTR ends it.
         host.prepareQuery();
         QVERIFY(!falcon.state().firmwareRuns);
         QVERIFY(host.load(image));
         QCOMPARE(falcon.state().loads, 2);
     }
 
-    /// 8492 bytes take 0.59 s at the loader's rate, and more in blocks; an exchange takes a period of the latency
+    /// 8492 bytes take 0.59 s at the loader's rate, and longer in blocks. An exchange takes one period of the latency
     /// timer.
     void realPaceTakesItsTime()
     {
@@ -376,16 +376,16 @@ private slots:
         QCOMPARE(host.query(), Bytes{});
         host.prepareQuery();
         host.prepareAutobaud();
-        QCOMPARE(host.autobaud(), Bytes{});  // no query before
+        QCOMPARE(host.autobaud(), Bytes{});  // without a query before
         host.prepareQuery();
         QCOMPARE(host.query(), kQueryAnswer);
         host.control(1, 0x0100);
-        QCOMPARE(host.autobaud(), Bytes{});  // at 9600
+        QCOMPARE(host.autobaud(), Bytes{});  // at 9600 baud
         host.prepareQuery();
         QCOMPARE(host.query(), kQueryAnswer);
         host.prepareAutobaud();
         QCOMPARE(host.autobaud(), Bytes{'A'});
-        QCOMPARE(host.sendImage(Bytes(100, 0x55)), std::size_t{0});  // no boot stream
+        QCOMPARE(host.sendImage(Bytes(100, 0x55)), std::size_t{0});  // not a boot stream
         host.prepareRunning();
         QVERIFY(!host.exchange({}, 5ms));
         QVERIFY(!falcon.state().firmwareRuns);
@@ -407,7 +407,7 @@ private slots:
         QVERIFY(host.load(bootStream()));
     }
 
-    /// An answer without data comes each time the latency timer expires, also if it takes long.
+    /// The chip sends an answer without data each time the latency timer expires, even if that takes long.
     void statusOnlyPackets()
     {
         emulatedBus().plug("F");
@@ -456,7 +456,7 @@ private slots:
         const auto history = falcon.history();
         QCOMPARE(history.back().counts, answer.counts);
         QVERIFY(glm::length(history.back().gripMm - place) < 1e-9);
-        // libnifalcon: homed only while the bit is set.
+        // As libnifalcon notes, the legs count as homed only while the bit is set.
         QVERIFY(!host.exchange({.homing = false})->allHomed());
         falcon.losePower();
         QVERIFY(!host.exchange({.homing = true}, 5ms));
@@ -654,7 +654,7 @@ private slots:
         host.control(9, 255);
         std::array<std::uint8_t, 64> packet{};
         int size = 0;
-        libusb_bulk_transfer(host.handle(), 0x81, packet.data(), 64, &size, 1000);  // the timer begins anew
+        libusb_bulk_transfer(host.handle(), 0x81, packet.data(), 64, &size, 1000);  // restarts the latency timer
         {
             Transfer transfer(host.handle(), 0x81, 64, 100);
             QCOMPARE(libusb_submit_transfer(transfer.usb), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which of the answers of a Falcon are believed.
+// The check that decides which answers of a Falcon are accepted.
 #include <cmath>
 
 #include <QTest>
@@ -21,7 +21,7 @@ Answer homedAt(int top, int right, int left)
             {true, true, true}};
 }
 
-/// A check that believes answers at these counts.
+/// Returns a check that accepts answers at these counts.
 AnswerCheck settledAt(int count)
 {
     AnswerCheck check;
@@ -54,7 +54,7 @@ void TestFalconAnswers::believesTheThirdAnswerThatAgrees()
     QVERIFY(check.take(homedAt(102, 100, 100), 3ms));
     check.restart();
     QVERIFY(!check.take(homedAt(103, 100, 100), 4ms));
-    QVERIFY(!check.take(homedAt(400, 100, 100), 5ms));  // spoilt: it counts as a new first one
+    QVERIFY(!check.take(homedAt(400, 100, 100), 5ms));  // damaged: it counts as a new first answer
     QVERIFY(!check.take(homedAt(105, 100, 100), 6ms));
     QVERIFY(!check.take(homedAt(106, 100, 100), 7ms));
     QVERIFY(check.take(homedAt(107, 100, 100), 8ms));
@@ -62,7 +62,7 @@ void TestFalconAnswers::believesTheThirdAnswerThatAgrees()
 
 void TestFalconAnswers::followsAHandThatSwingsFast()
 {
-    // 20 mm to each side at 3 Hz is 0.38 m/s and 7 m/s^2; an arm turns some 25 counts a millimetre.
+    // Moving 20 mm to each side at 3 Hz is 0.38 m/s and 7 m/s^2. An arm turns some 25 counts per millimetre.
     AnswerCheck check;
     int refused = 0;
     for (int ms = 0; ms < 2000; ++ms) {
@@ -70,13 +70,13 @@ void TestFalconAnswers::followsAHandThatSwingsFast()
         const int count = static_cast<int>(std::lround(at));
         refused += check.take(homedAt(count, -count, count / 2), ms * 1ms) ? 0 : 1;
     }
-    QCOMPARE(refused, 2);  // the two before the first that is believed
+    QCOMPARE(refused, 2);  // the two before the first accepted answer
 }
 
 void TestFalconAnswers::refusesAJump()
 {
     AnswerCheck check = settledAt(100);
-    QVERIFY(!check.take(homedAt(100 + 16, 100, 100), 4ms));  // one bit
+    QVERIFY(!check.take(homedAt(100 + 16, 100, 100), 4ms));  // one flipped bit
     const auto after = check.take(homedAt(100, 100, 100), 5ms);
     QVERIFY(after);
     QCOMPARE(after->x, 100.0);
@@ -111,7 +111,7 @@ void TestFalconAnswers::afterMissingAnswersTwoHaveToAgree()
     AnswerCheck check = settledAt(100);
     QVERIFY(!check.take(homedAt(102, 100, 100), 11ms));
     QVERIFY(check.take(homedAt(102, 100, 100), 12ms));
-    // Within what a hand can do in this time, but spoilt.
+    // A change that a hand can make in this time, but the answer is damaged.
     check = settledAt(100);
     QVERIFY(!check.take(homedAt(100 + 32, 100, 100), 11ms));
     QVERIFY(!check.take(homedAt(100, 100, 100), 12ms));
@@ -144,7 +144,7 @@ void TestFalconAnswers::believesNoCountThatIsFarOff()
         worst = std::max(worst, off);
     }
     qInfo("believed %d of 200000, %d of them spoilt, by at most %d counts", believed, spoiltBelieved, worst);
-    QVERIFY(worst <= 8);  // at times two answers in a row are spoilt, or one was refused before
+    QVERIFY(worst <= 8);  // sometimes two answers in a row are damaged, or the one before was refused
     QVERIFY(believed > 185'000);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a Falcon stands, what its motors are told, and what a ruler and a weight say about it.
+// The placement of a Falcon, the commands to its motors, and its calibration with a ruler and a weight.
 #include <cmath>
 
 #include <QTest>
@@ -50,7 +50,8 @@ void TestFalconCalibration::everyPlacementTurnsBackAndForth()
                 const glm::dvec3 grip = placement.gripFromToothMm(tooth);
                 QVERIFY(glm::distance(placement.toothFromGripMm(grip), tooth) < 1e-12);
                 QVERIFY(std::abs(glm::distance(grip, kCentreMm) - scale * glm::length(tooth)) < 1e-12);
-                // The force that moves the hand along a way in the tooth frame points along that way at the device.
+                // The force that moves the hand along a direction in the tooth frame has the same direction at the
+                // device.
                 const glm::dvec3 way = placement.gripFromToothMm(glm::dvec3(0.0)) - grip;
                 QVERIFY(glm::distance(placement.deviceFromToothN(-tooth) * scale, way) < 1e-12);
             }
@@ -67,11 +68,11 @@ void TestFalconCalibration::theTopOfTheToothIsAtTheHeightOfTheRest()
             const glm::dvec3 tooth(1.0, -2.0, 3.0);
             const glm::dvec3 grip = raised.gripFromToothMm(tooth);
             QVERIFY(glm::distance(raised.toothFromGripMm(grip), tooth) < 1e-12);
-            // The hand is higher by the same, whatever the scale.
+            // The hand is higher by the same distance at every scale.
             const glm::dvec3 up = raised.gripFromToothMm(glm::dvec3(0.0)) - middle.gripFromToothMm(glm::dvec3(0.0));
             QVERIFY(glm::distance(up, middle.deviceFromToothN({0.0, 0.0, 10.0})) < 1e-12);
         }
-    // The whole tooth can be reached, whatever is stored.
+    // The whole tooth can be reached with any stored settings.
     const Placement far({Stand::Upright, Side::Front, 2.5, 500.0});
     QVERIFY(glm::distance(far.gripFromToothMm({8.0, 0.0, 6.0}), kCentreMm) <= haptics::falcon::kReachMm + 1e-9);
 }
@@ -134,7 +135,7 @@ void TestFalconCalibration::commandsOfNoNumberAreZero()
 
 void TestFalconCalibration::aRulerFindsTheAngleAtTheIndexMarks()
 {
-    // A device whose marks are at 40 degrees reads angles that are 5 degrees too small with the usual calibration.
+    // On a device whose marks are at 40 degrees, the default calibration gives angles that are 5 degrees too small.
     constexpr double kDegree = std::numbers::pi / 180.0;
     const auto readAt = [&](const glm::dvec3& grip) {
         return gripAt(armsAt(grip)->angleRad - glm::dvec3(5.0 * kDegree), grip).value();
@@ -151,7 +152,8 @@ void TestFalconCalibration::aRulerFindsTheAngleAtTheIndexMarks()
 
 void TestFalconCalibration::aWeightFindsTheScaleOfTheCommands()
 {
-    // A device that needs 6,616 commands for 1 Nm is stronger than 10,000 let believe: it holds 2 N with 1.32.
+    // A device that needs 6,616 commands for 1 Nm is stronger than the default of 10,000 assumes: it holds 2 N with a
+    // command for 1.32 N.
     const double share = 6616.0 / 10000.0;
     const auto found = withWeight({}, 0.6 * share, 2.6 * share, 2.0);
     QVERIFY(found);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Falcon's driver, as it is, against an emulated Falcon: from the plug to the hand, and through everything that can
-// go wrong on the way.
+// Tests of the unchanged Falcon driver with an emulated Falcon: from plugging in to forces on the hand, with all faults
+// that can occur.
 #include <QTemporaryDir>
 #include <QTest>
 #include <atomic>
@@ -38,7 +38,7 @@ namespace {
 
 constexpr int kPatienceMs = 20'000;
 
-/// Takes the place of the servo loop: a thread that takes each position and gives a force.
+/// Stands in for the servo loop: a thread that reads each position and sets a force.
 class Servo
 {
 public:
@@ -88,7 +88,7 @@ public:
     }
 
     std::function<void(const glm::vec3&)> onPosition;  ///< set before the device is started
-    /// For onPosition: when the position was asked for.
+    /// For onPosition: returns when the position was requested.
     [[nodiscard]] Clock::time_point asked() const { return m_asked; }
 
 private:
@@ -165,7 +165,7 @@ private:
 
 namespace {
 
-/// A Falcon that runs, with its grip homed and in the middle.
+/// Plugs in a Falcon with running firmware and its grip homed and in the middle.
 EmulatedFalcon& homedFalcon(const std::string& serial = "ONE", Pace pace = Pace::Real)
 {
     EmulatedFalcon& falcon = emulatedBus().plug(serial, pace);
@@ -319,7 +319,7 @@ void TestFalconDevice::aForceReachesTheHandInItsDirection()
         QTRY_VERIFY_WITH_TIMEOUT(glm::distance(toothFrame(falcon.state().forceN), glm::dvec3(forceN)) < 0.01,
                                  kPatienceMs);
     }
-    // More than the motors can: the direction stays.
+    // The force is larger than the motors allow. Its direction is preserved.
     servo.push(glm::vec3(30.0F, 0.0F, 0.0F));
     QTRY_VERIFY_WITH_TIMEOUT(falcon.state().forceN.x > 3.0, kPatienceMs);
     QTRY_VERIFY(glm::dot(glm::normalize(falcon.state().forceN), glm::dvec3(1.0, 0.0, 0.0)) > 0.9999);
@@ -551,7 +551,8 @@ void TestFalconDevice::theForceAnswersWithinTwoRoundTrips()
     Servo servo(device);
     QVERIFY(makeReady(device, falcon));
     QTRY_VERIFY_WITH_TIMEOUT(device.report().exchange.roundTripUs > 0.0, kPatienceMs);
-    // One from the reading to the servo, the force with the next request: on a busy machine later, but not always.
+    // The delay is one exchange from the reading to the servo, and the force goes with the next request. A busy
+    // computer may be later, but not always.
     QTRY_VERIFY_WITH_TIMEOUT(servo.delayS() > 0.0F &&
                                  servo.delayS() * 1e6F <
                                      2.0F * static_cast<float>(device.report().exchange.roundTripUs),
@@ -568,7 +569,7 @@ void TestFalconDevice::theDeviceThreadAllocatesNothing()
     servo.push(glm::vec3(0.1F, 0.2F, 0.3F));
     QVERIFY(makeReady(device, falcon));
     falcon.setFaults(0.01);
-    // The device thread lets the time of the bus pass; so does this one, when it asks.
+    // The bus advances its time in the calling thread: in the device thread, and in this one when it calls the bus.
     static thread_local long first = -1;
     std::atomic<long> most{0};
     std::atomic<long> looks{0};
@@ -603,7 +604,7 @@ void TestFalconDevice::believesNoWrongPosition()
             return;
         double nearest = 1000.0;
         const std::vector<support::SentAnswer> sent = falcon.history();
-        // A thread that was stopped meanwhile finds newer answers only: the emulated Falcon remembers 256.
+        // If this thread was suspended, it finds only newer answers: the emulated Falcon stores 256.
         if (Clock::now() - servo.asked() > 5ms)
             return;
         for (const support::SentAnswer& answer : sent)

@@ -16,7 +16,7 @@ using haptics::falcon::FirmwareImage;
 
 namespace {
 
-/// A boot stream made here: the vendor's firmware may not be part of the repository.
+/// Builds a boot stream, because the vendor's firmware may not be part of the repository.
 class BootStream
 {
 public:
@@ -98,7 +98,7 @@ private slots:
                                    ErrorCode::FileTooLarge));
     }
 
-    /// No cut is accepted, and each is recognised as one: within the header or within a block.
+    /// Every truncation is refused, with the reason that the header or a block is incomplete.
     void everyCutIsRefused()
     {
         const auto bytes = soundStream();
@@ -131,7 +131,7 @@ private slots:
         QVERIFY(support::isRefused(FirmwareImage::check(twice), ErrorCode::BadStructure));
     }
 
-    /// The key, the reserved words and the entry point have no other value that is accepted as firmware.
+    /// No other value of the key, the reserved words or the entry point is accepted as firmware.
     void otherHeadersAreRefused()
     {
         for (std::size_t at = 0; at < 18; ++at)
@@ -158,7 +158,7 @@ private slots:
                                    ErrorCode::FileTooLarge));
     }
 
-    /// Damage behind the header: never a crash, and what is accepted still ends with its file.
+    /// Damage after the header never causes a crash. An image that is accepted nevertheless ends with its file.
     void damagedImagesDoNoHarm()
     {
         core::Rng rng(7);

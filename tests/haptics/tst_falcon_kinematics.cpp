@@ -15,7 +15,7 @@ class TestFalconKinematics : public QObject
 {
     Q_OBJECT
 private slots:
-    /// From libnifalcon's geometry in double precision, by an implementation of its own.
+    /// The values are from an independent implementation of libnifalcon's geometry in double precision.
     void anglesAreThoseOfTheMechanism_data()
     {
         support::columns<double, double, double, double, double, double, double>("x", "y", "z", "first", "second",
@@ -78,7 +78,7 @@ private slots:
         }
     }
 
-    /// The motors do the work that the force does at the grip.
+    /// The motors do the same work as the force at the grip.
     void torquesDoTheWorkOfTheForce()
     {
         const glm::dvec3 grip = kCentreMm + glm::dvec3(-20.0, 11.0, 14.0);
@@ -93,7 +93,7 @@ private slots:
         QVERIFY(glm::length(counts - glm::round(countsAt(here.angleRad))) < 1.0e-9);
     }
 
-    /// The three arms together resolve this much along an axis: one count over the rise of all angles.
+    /// The resolution of the three arms along an axis: one count divided by the slope of all angles.
     void oneCountIsSoMuchAtTheCentre()
     {
         const Arms arms = armsAt(kCentreMm).value();
@@ -106,7 +106,7 @@ private slots:
         QVERIFY2(std::abs(quantumUm(2) - 28.0) < 1.0, qPrintable(QString::number(quantumUm(2))));
     }
 
-    /// From anywhere in the work area to anywhere else in it.
+    /// The solver starts anywhere in the work area and finds any other place in it.
     void aPositionIsFoundFromFarAway()
     {
         core::Rng rng(3);

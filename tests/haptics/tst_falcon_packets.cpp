@@ -19,7 +19,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Four letters of a signed number, written without the code under test.
+/// Encodes a signed number as four letters, without the code under test.
 std::string letters(int number)
 {
     std::string four;
@@ -65,7 +65,7 @@ void append(Bytes& stream, const Bytes& more)
     stream.insert(stream.end(), more.begin(), more.end());
 }
 
-/// All answers of a stream that is given in reads of at most so many bytes.
+/// Returns all answers of a stream that is read in pieces of at most this many bytes.
 std::vector<Answer> answersIn(FrameReader& reader, const Bytes& stream, std::size_t readBytes)
 {
     std::vector<Answer> answers;
@@ -77,7 +77,7 @@ std::vector<Answer> answersIn(FrameReader& reader, const Bytes& stream, std::siz
     return answers;
 }
 
-/// The definition of an answer, from its first byte on.
+/// Returns whether the bytes begin with a valid answer.
 bool isAnswer(const std::uint8_t* bytes)
 {
     return bytes[0] == 0x3C && bytes[15] == 0x3E &&
@@ -85,7 +85,7 @@ bool isAnswer(const std::uint8_t* bytes)
            bytes[13] >= 0x41 && bytes[13] <= 0xC0 && bytes[14] >= 0x41;
 }
 
-/// A transfer of the FTDI chip: packets of 64 bytes, two of them status.
+/// Returns a transfer of the FTDI chip: packets of 64 bytes, of which two are status.
 /// @param firstBytes  data in the first packet
 Bytes transferOf(const Bytes& data, std::size_t firstBytes = 62, std::uint8_t modem = 0x01, std::uint8_t line = 0x60)
 {
@@ -167,7 +167,7 @@ private slots:
         QCOMPARE(reader.droppedBytes(), std::uint64_t{0});
     }
 
-    /// However a stream is cut into reads, it holds the same answers.
+    /// The answers of a stream do not depend on how it is cut into reads.
     void readsMayBeOfAnyLength()
     {
         core::Rng rng(1);
@@ -185,7 +185,7 @@ private slots:
         }
     }
 
-    /// A stream that ends anywhere, with the rest later or never.
+    /// The stream ends in the middle of an answer. The rest comes later or never.
     void aCutAnswerWaitsOrIsDropped()
     {
         core::Rng rng(2);
@@ -211,7 +211,7 @@ private slots:
         }
     }
 
-    /// A byte lost, added or doubled anywhere costs one answer at most, and no wrong one is accepted.
+    /// A byte that is lost, added or doubled costs at most one answer, and no wrong answer is accepted.
     void lostAndExtraBytesCostTheirAnswer()
     {
         core::Rng rng(3);
@@ -230,7 +230,7 @@ private slots:
                 Bytes more = stream;
                 more.insert(more.begin() + at, static_cast<std::uint8_t>(value));
                 FrameReader second;
-                // Any byte before an answer leaves it whole, and so do a second '<' and a second '>'.
+                // Any byte before an answer leaves the answer intact, and so do a doubled '<' and a doubled '>'.
                 const bool whole = at == 16 || (at == 17 && value == '<') || (at == 31 && value == '>');
                 const auto found = answersIn(second, more, 7);
                 QVERIFY2(found == (whole ? sent : others), qPrintable(QString("%1 at %2").arg(value).arg(at)));
@@ -239,7 +239,7 @@ private slots:
         }
     }
 
-    /// A byte changed to any other: the answer is lost, or differs in the value of that byte alone.
+    /// A changed byte loses its answer, or changes only the value that it encodes.
     void changedBytesCostTheirAnswer()
     {
         core::Rng rng(4);
@@ -260,7 +260,7 @@ private slots:
             }
     }
 
-    /// libnifalcon took the end of an answer of 14 bytes for homed bits and buttons.
+    /// libnifalcon mistook the end of an answer of 14 bytes for homed bits and buttons.
     void aShortAnswerIsNotAccepted()
     {
         FrameReader reader;
@@ -292,7 +292,7 @@ private slots:
         QTest::newRow("damaged answers") << 2;
     }
 
-    /// The reader accepts exactly what the definition calls an answer, and counts the rest.
+    /// The reader accepts exactly the valid answers and counts the other bytes.
     void randomBytes()
     {
         QFETCH(int, kind);
@@ -339,7 +339,7 @@ private slots:
                  std::uint64_t{stream.size()});
     }
 
-    /// Packets that end at every place of an answer, with status bytes that could be part of one.
+    /// Packets end at every position of an answer, with status bytes that could be part of one.
     void statusBytesAreRemovedAtEveryBoundary()
     {
         core::Rng rng(5);
@@ -435,10 +435,10 @@ private slots:
         const auto received = reader.read(transfer);
         QVERIFY(received.errors == errors);
         QCOMPARE(received.answers, errors.any() ? 0 : 1);
-        QVERIFY(!reader.read(Bytes{0x01, status}).errors.any());  // without data: an old error
+        QVERIFY(!reader.read(Bytes{0x01, status}).errors.any());  // without data: reports an old error
     }
 
-    /// Data that came with an error may lack bytes: it completes no answer, and the next answer is read.
+    /// Data received with an error may lack bytes. It completes no answer, and the next answer is read.
     void dataWithALineErrorIsDropped()
     {
         const Answer answer{{-5, 6, 7}, 1, {true, false, true}};

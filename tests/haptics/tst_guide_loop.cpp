@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hand that is led along a path by a simulated Falcon: how hard, how steadily, and how it is let go.
+// A simulated Falcon guides a hand along a path. Tests the strength and steadiness of the force, and its release.
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -26,14 +26,14 @@ namespace {
 constexpr double kTickS = 0.001;
 constexpr int kTicksAnAim = 10;
 
-/// As a student might drill: round and up and down, 20 to 40 mm/s.
+/// Motion of a typical student: round, up and down, at 20 to 40 mm/s.
 glm::dvec3 path(double t)
 {
     const double w = 2.0 * std::numbers::pi;
     return {2.5 * std::sin(w * 1.1 * t), 2.0 * std::sin(w * 0.9 * t + 0.5), 1.0 + 0.6 * std::sin(w * 2.0 * t)};
 }
 
-/// A simulated Falcon in a simulated hand without tremor, led tick by tick.
+/// A simulated Falcon, guided tick by tick, in a simulated hand without tremor.
 struct Led
 {
     Led(const haptics::HandFigures& hand, double delayMs, const glm::dvec3& from)
@@ -41,7 +41,7 @@ struct Led
     {
         falcon.follow(from);
         aim(from);
-        // The hand rests, and lets itself be led nowhere yet.
+        // The hand rests and resists the guidance.
         tick(from, 20);
     }
     static haptics::FalconFigures figures(double delayMs)
@@ -59,7 +59,7 @@ struct Led
     }
 
     void aim(const glm::dvec3& place) { links.aim.publish({++number, place}); }
-    /// @param wants  where the hand wants to be
+    /// @param wants  the position that the hand aims at
     void tick(const glm::dvec3& wants, int ticks = 1)
     {
         for (int n = 0; n < ticks; ++n) {
@@ -73,7 +73,7 @@ struct Led
             state = now;
         }
     }
-    /// A hand that lets itself be led.
+    /// The hand follows the guidance.
     void goAlong(int ticks, const std::function<glm::dvec3(double)>& where)
     {
         for (int n = 0; n < ticks; ++n) {
@@ -135,7 +135,7 @@ private slots:
         led.links.wanted = true;
         const auto held = [&](double) { return place; };
         led.goAlong(1500, held);
-        led.falcon.push({0.0, 80.0, -40.0});  // a knock
+        led.falcon.push({0.0, 80.0, -40.0});  // an impact
         led.goAlong(500, held);
         glm::dvec3 least(1.0e9);
         glm::dvec3 most(-1.0e9);
@@ -170,7 +170,7 @@ private slots:
         const glm::dvec3 place = path(0.0);
         led.aim(place);
         led.links.wanted = true;
-        // There within 0.15 s, where the lead alone takes half a second.
+        // The hand arrives after 0.15 s. Guidance alone would take half a second.
         for (int n = 0; n < 1000; ++n) {
             led.tick(glm::mix(from, place, std::min(1.0, n / 150.0)));
             QVERIFY2(led.state.leading, qPrintable(QString("let go after %1 ms").arg(n)));
@@ -190,8 +190,8 @@ private slots:
         led.links.wanted = true;
         led.goAlong(1500, path);
         QVERIFY(led.state.leading);
-        // It wants to be so far off that its own spring would still pull with 3 N where the lead pulls its hardest,
-        // some 4 mm away, and goes there in 0.2 s.
+        // The hand aims at a place some 4 mm away, far enough that its own spring still pulls with 3 N against the
+        // strongest guidance. It moves there in 0.2 s.
         const glm::dvec3 from = led.falcon.tipMm();
         const glm::dvec3 way(0.0, 4.0 + 3000.0 / figures.stiffnessNPerM, 0.0);
         int pressed = -1;
@@ -210,7 +210,7 @@ private slots:
         led.tick(from + way, 250);
         QCOMPARE(led.state.forceN, glm::dvec3(0.0));
         QVERIFY2(led.jumpN < 0.2, qPrintable(QString("%1 N a tick").arg(led.jumpN)));
-        // It stays free until it is taken up again.
+        // The hand stays free until guidance is requested again.
         led.goAlong(500, path);
         QCOMPARE(led.state.forceN, glm::dvec3(0.0));
         led.links.wanted = false;
@@ -221,7 +221,7 @@ private slots:
         QVERIFY(glm::length(led.falcon.tipMm() - path(kTickS * led.beat)) < 1.5);
     }
 
-    /// A device that exchanges with the hardware on its own thread takes its force at the end of the tick.
+    /// A device that exchanges with the hardware in its own thread receives its force at the end of the tick.
     void theForceIsGivenInTheSameTick()
     {
         class Asynchronous final : public haptics::HapticDevice
@@ -247,7 +247,7 @@ private slots:
         QCOMPARE(device.givenN, glm::dvec3(0.0));
     }
 
-    /// A hand that goes in circles about a held place gets nothing out of it, fast or slow.
+    /// Moving in circles around a held place gives the hand no energy, at any speed.
     void makesNoEnergy()
     {
         for (const double hertz : {0.5, 2.0, 5.0, 10.0}) {
@@ -264,7 +264,7 @@ private slots:
                 const glm::dvec3 before(device.tipMm);
                 const glm::dvec3 forceN = device.forceN;
                 device.tipMm = glm::vec3(0.5 * std::cos(angle), 0.8 * std::sin(angle), 0.3 * std::sin(2.0 * angle));
-                if (n >= 1000)  // the lead is up
+                if (n >= 1000)  // the guidance has reached full strength
                     doneJ += 0.001 * glm::dot(forceN, glm::dvec3(device.tipMm) - before);
                 loop.tick(1ms);
             }
@@ -296,8 +296,8 @@ private slots:
         QCOMPARE(run(1), 0.0);
         QVERIFY(!links.state.latest().leading && !links.state.latest().present);
         device.present = true;
-        QCOMPARE(run(200), 0.0);  // nobody has asked again
-        // What no device can read counts as none.
+        QCOMPARE(run(200), 0.0);  // guidance was not requested again
+        // An aim that the device cannot represent counts as no aim.
         links.wanted = false;
         run(1);
         links.wanted = true;
@@ -313,7 +313,7 @@ private slots:
         support::HeldDevice device;
         GuideLinks links;
         GuideLoop loop(device, links);
-        links.wanted = true;  // but nobody says where to
+        links.wanted = true;  // there is no aim yet
         for (int n = 0; n < 50; ++n)
             loop.tick(1ms);
         QCOMPARE(device.forceN, glm::dvec3(0.0));

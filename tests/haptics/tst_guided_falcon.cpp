@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// The simulated handpiece over a block of enamel.
+/// A simulated handpiece over a block of enamel.
 struct GuidedFalcon
 {
     rt::TripleBuffer<core::servo::PointerInput> input;

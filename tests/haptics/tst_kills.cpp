@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An attempt in a program that is killed at any moment, found again, and taken up by the next program. This program is
-// its own victim: with --victim it works until it is killed, and says how far it is. With --found it says what is left
-// of a victim's attempt, for power_cut.sh.
+// A program is killed at a random moment during an attempt, and the next program finds and resumes the attempt. This
+// test program is its own victim: with --victim it works until it is killed, and prints its progress. With --found it
+// prints what is left of a victim's attempt, for power_cut.sh.
 #include <QCoreApplication>
 #include <QFile>
 #include <QProcess>
@@ -37,7 +37,7 @@ namespace {
 constexpr int kMostLives = 8;  ///< of one attempt
 constexpr std::int64_t kMayBeLostUs = 100'000;
 
-/// Strokes over the block, twice a second, each elsewhere; the first begins at once.
+/// Makes strokes over the block, two a second, each at another place. The first begins at once.
 class StrokingDevice final : public haptics::HapticDevice
 {
 public:
@@ -55,7 +55,7 @@ private:
     int m_ticks = 0;
 };
 
-/// As app::LoopThread beats a loop.
+/// Ticks like app::LoopThread.
 template <class Beat>
 void keepBeating(std::chrono::microseconds period, const Beat& beat)
 {
@@ -74,15 +74,15 @@ void keepBeating(std::chrono::microseconds period, const Beat& beat)
     }
 }
 
-/// A line in one piece, so that a kill does not split it.
+/// Prints a line with one write, so that a kill does not split it.
 void say(const char* line)
 {
     static_cast<void>(!::write(STDOUT_FILENO, line, std::strlen(line)));
 }
 
-/// Works on the attempt found in a folder, or a new one, until it is killed. It says lines of
-///     at MICROSECONDS CUT_MICROSECONDS EVENTS_WRITTEN    how far the servo is; since when something was cut, or -1
-///     was TICK HASH                                      what the tooth was after a tick
+/// Works on the attempt found in a folder, or on a new one, until it is killed. Prints these lines:
+///     at MICROSECONDS CUT_MICROSECONDS EVENTS_WRITTEN    time of the servo; time of the first cut, or -1
+///     was TICK HASH                                      state hash of the tooth after a tick
 [[noreturn]] void work(const char* folder, std::uint64_t seed)
 {
     const auto servoLinks = std::make_unique<ServoChannels>();
@@ -147,19 +147,19 @@ void say(const char* line)
         else if (act == 3)
             send(AddNote{static_cast<std::uint64_t>(n)});
         for (TilePatch patch; uiLinks->patches.tryPop(patch);) {
-            // nobody watches
+            // no view reads them
         }
         std::this_thread::sleep_for(3ms);  // the period of the user's thread
     }
 }
 
-/// What a victim said before it died.
+/// The output of a victim.
 struct Said
 {
     std::int64_t atUs = 0;
     std::int64_t cutUs = -1;
     std::uint64_t written = 0;
-    std::map<std::uint64_t, std::uint64_t> hashes;  ///< by tick
+    std::map<std::uint64_t, std::uint64_t> hashes;  ///< state hashes by tick
 };
 
 Said parsed(const QByteArray& output)
@@ -179,7 +179,7 @@ Said parsed(const QByteArray& output)
     return said;
 }
 
-/// The attempt in a folder, if there is one that got as far as its first moment.
+/// Returns the attempt in a folder, if one exists that has reached its first moment.
 Result<std::optional<recording::FoundAttempt>> attemptIn(const std::filesystem::path& folder)
 {
     const auto files = recording::journalsIn(folder);
@@ -196,7 +196,7 @@ struct Compared
     bool isPlayable = false;
 };
 
-/// What came back beside what was done, to the bit.
+/// Compares the recovered states with those that the victim printed, to the bit.
 Compared compared(const recording::Recording& left, const std::map<std::uint64_t, std::uint64_t>& hashes)
 {
     Compared states;
@@ -212,8 +212,8 @@ Compared compared(const recording::Recording& left, const std::map<std::uint64_t
     return states;
 }
 
-/// After a cut of power: prints "found EVENTS lost AT_LEAST_MS AT_MOST_MS states COMPARED", or the same with "nothing"
-/// when no cutting had reached the disk. The cut fell between the two moments at which the victim's words were read.
+/// After a power cut, prints "found EVENTS lost AT_LEAST_MS AT_MOST_MS states COMPARED", or "nothing ..." if no cutting
+/// had reached the disk. The power was cut between the two moments at which the victim's output was read.
 int sayWhatIsLeft(const char* folder, const char* saidBefore, const char* saidAfter)
 {
     const auto words = [](const char* path) {
@@ -252,7 +252,8 @@ class TestKills : public QObject
 {
     Q_OBJECT
 private slots:
-    /// At night 99 losses of 100 are at most 100 ms. The longest is only printed: a busy machine takes more for itself.
+    /// At night, 99 of 100 losses are at most 100 ms. The longest one is only printed, because a busy computer may
+    /// cause more.
     void nothingWrittenIsEverLost()
     {
         const int kills = support::trials(20, 1000);
@@ -275,10 +276,10 @@ private slots:
             QProcess victim;
             victim.start(QCoreApplication::applicationFilePath(), {"--victim", folder->path(), QString::number(kill)});
             QVERIFY(victim.waitForStarted());
-            // Some die before they have begun.
+            // Some are killed before they have begun.
             if (rng.below(8) != 0)
                 victim.waitForReadyRead();
-            QTest::qSleep(rng.below(600));  // the moment of the kill, at random, is what is tested
+            QTest::qSleep(rng.below(600));  // kills at a random moment
             victim.kill();
             QVERIFY(victim.waitForFinished());
             QCOMPARE(victim.exitStatus(), QProcess::CrashExit);
@@ -290,8 +291,8 @@ private slots:
 
             const auto attempt = attemptIn(folder->path().toStdString());
             QVERIFY(support::succeeds(attempt));
-            // None, or none that got as far as its first moment: then there was nothing before. The dead lock nobody
-            // out.
+            // There may be no attempt, or none that has reached its first moment. Then there was none before either. A
+            // killed program leaves no lock.
             if (!*attempt) {
                 QCOMPARE(before, 0U);
                 QCOMPARE(said.written, 0U);
@@ -306,7 +307,7 @@ private slots:
             before = left.events();
             ++found;
             lostMs.push_back(1.0e-3 * static_cast<double>(said.atUs - left.duration().count()));
-            // What came back is what was done, to the bit. What did not is done again, differently.
+            // The recovered attempt is that of the victim, to the bit. The lost part is worked again, differently.
             hashes.erase(hashes.upper_bound(left.ticks()), hashes.end());
             const Compared states = compared(left, hashes);
             QVERIFY(states.isPlayable);
@@ -336,7 +337,7 @@ int main(int argc, char* argv[])
         return sayWhatIsLeft(argv[2], argv[3], argv[4]);
     QCoreApplication application(argc, argv);
     if (support::isNightly())
-        qputenv("QTEST_FUNCTION_TIMEOUT", "3600000");  // Qt Test would end it after five minutes
+        qputenv("QTEST_FUNCTION_TIMEOUT", "3600000");  // Qt Test would abort the test after five minutes
     TestKills test;
     return QTest::qExec(&test, argc, argv);
 }

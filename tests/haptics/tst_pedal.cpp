@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kBeatS = 0.004;
 
-/// Holds a reading for so long and returns the last speed.
+/// Holds a reading for this many seconds and returns the last speed.
 int held(PedalShape& shape, double reading, double seconds)
 {
     int percent = 0;
@@ -71,7 +71,7 @@ private slots:
     void anInvertedPedalRunsTheBurWhileItIsReleased()
     {
         PedalShape shape({-1.0, 1.0, true});
-        QCOMPARE(held(shape, -1.0, 0.5), 0);  // not before it has been seen pressed
+        QCOMPARE(held(shape, -1.0, 0.5), 0);  // not before it was seen pressed
         QCOMPARE(held(shape, 1.0, 0.1), 0);
         QCOMPARE(held(shape, -1.0, 0.1), 100);
     }

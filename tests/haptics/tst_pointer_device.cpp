@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// The pointer's hand against a servo tick.
+/// The pointer's hand, connected to a servo tick.
 struct Bench
 {
     rt::TripleBuffer<core::servo::PointerInput> input;
@@ -37,7 +37,7 @@ struct Bench
         servo->swapTooth(tooth.get(), true);
         servo->setDrill(drill);
     }
-    /// Runs for some ticks and returns the largest force met.
+    /// Runs for some ticks and returns the largest force.
     double run(int ticks)
     {
         double most = 0.0;
@@ -74,7 +74,7 @@ private slots:
         QFETCH(double, newtons);
         QFETCH(bool, drill);
         support::Block block;
-        block.bottomMm = -13.0;  // not bored through within the time
+        block.bottomMm = -13.0;  // too thick to bore through within the time
         Bench bench(block, drill);
         bench.want.hoverMm = 0.5;
         bench.want.pushForceN = newtons;
@@ -152,7 +152,7 @@ private slots:
         const glm::vec3 at = bench.tipMm;
         bench.run(20000);
         QVERIFY(glm::length(bench.tipMm - at) < 1.0e-5F);
-        // Nor while it leans without drilling.
+        // It does not move either while it presses without drilling.
         bench.want.pushing = true;
         bench.run(2000);
         const glm::vec3 leaning = bench.tipMm;
@@ -167,7 +167,8 @@ private slots:
         bench.run(500);
         bench.want.pushing = true;
         bench.run(5000);
-        // The block's top is at 0: the bur sticks out of its chuck by so much, and the hand goes on leaning.
+        // The top of the block is at 0: the bur goes in as far as it sticks out of its chuck, and the hand continues to
+        // press.
         QCOMPARE(bench.servo->state().anchorMm.z, -core::bur::kChuckMm);
         const float resting = bench.tipMm.z;
         bench.run(1000);
@@ -183,7 +184,7 @@ private slots:
     {
         support::columns<double, double, double>("dejMm", "cariesFloorMm", "feed");
         for (const double feed : {0.1, 0.5, 1.0}) {
-            if (feed < 1.0)  // which no force makes the bur follow there
+            if (feed < 1.0)  // with 1 mm/s no force makes the bur follow in enamel
                 QTest::addRow("enamel, %g mm/s", feed) << -100.0 << 100.0 << feed;
             QTest::addRow("dentin, %g mm/s", feed) << 10.0 << 100.0 << feed;
             QTest::addRow("decay, %g mm/s", feed) << -100.0 << -100.0 << feed;
@@ -222,7 +223,7 @@ private slots:
     void aFeedBeyondTheBursPaceWaitsForTheBur()
     {
         Bench bench({.bottomMm = -13.0}, true);
-        bench.want.targetMm = {0.013, 0.021};  // beside the nodes, so that the columns make up the area of the bur
+        bench.want.targetMm = {0.013, 0.021};  // between nodes, so that the columns add up to the area of the bur
         bench.want.feedMmPerS = 1.0;
         bench.want.pushForceN = 3.0;
         bench.want.hoverMm = 0.5;
@@ -278,7 +279,7 @@ private slots:
             bench.want.targetMm.x += 0.002;
             most = std::max(most, bench.run(1));
         }
-        // The hand leaves the cavity while the pointer goes on.
+        // The hand leaves the cavity while the pointer moves on.
         bench.want.pushing = false;
         for (int n = 0; n < 300; ++n) {
             bench.want.targetMm.x += 0.01;
@@ -345,7 +346,7 @@ private slots:
         bench.want.pushing = false;
         bench.run(10);
         QVERIFY(!*bench.pedal);
-        // A button that is held beside the tooth does not let the bur run in the air.
+        // Holding the button beside the tooth does not start the bur in the air.
         bench.want.targetMm = {20.0, 20.0};
         bench.run(500);
         bench.want.pushing = true;

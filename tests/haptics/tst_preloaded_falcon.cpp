@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The emulated Falcon under a program that is linked with libusb itself.
+// The emulated Falcon in a program that is linked with the real libusb.
 #include <QFile>
 #include <QMap>
 #include <QProcess>
@@ -8,7 +8,7 @@
 
 namespace {
 
-/// The emulator's folder, and programs that run with it.
+/// The folder of the emulator, and the programs that run with it.
 class Station
 {
 public:
@@ -18,7 +18,7 @@ public:
         if (file.open(QIODevice::Append))
             file.write(lines);
     }
-    /// Values by their names; empty while there are none.
+    /// Returns the values by their names; empty if there are none yet.
     [[nodiscard]] QMap<QByteArray, QByteArray> state() const
     {
         QFile file(m_folder.filePath("state"));
@@ -42,7 +42,7 @@ public:
         program.setProcessEnvironment(environment);
         program.start(CUSP_BINARY_DIR "/tests/usb_program", {});
     }
-    /// Starts it and returns its first line.
+    /// Starts a program and returns the first line of its output.
     [[nodiscard]] QByteArray firstLineOf(QProcess& program) const
     {
         start(program);

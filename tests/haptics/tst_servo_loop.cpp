@@ -39,12 +39,12 @@ double length(const glm::dvec3& v)
     return std::sqrt(glm::dot(v, v));
 }
 
-constexpr float kPromptS = 0.0005F;  ///< a delay that any spring holds
+constexpr float kPromptS = 0.0005F;  ///< a delay with which any spring is stable
 
-/// A servo without a session: the test reads the queues itself.
+/// A servo loop without a session: the test reads the queues itself.
 struct Bare
 {
-    /// @param anatomy  of the tooth that is given to it, if any
+    /// @param anatomy  the tooth that it begins with; none if null
     explicit Bare(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy = {}, const ServoSettings& which = {},
                   std::chrono::microseconds beat = 1ms)
         : settings(which), period(beat)
@@ -71,7 +71,7 @@ struct Bare
         for (int n = 0; n < ticks; ++n)
             servo.tick(1ms);
     }
-    /// Leans down at (x, y).
+    /// Presses down at (x, y).
     void lean(double x, double y, double stretchMm = 0.8, int ticks = 1)
     {
         for (int n = 0; n < ticks; ++n) {
@@ -91,7 +91,7 @@ struct Bare
             events.push_back(event);
         return events;
     }
-    /// All events of a kind so far, and the others are passed over.
+    /// Returns all events of a kind since the last call, and drops the others.
     std::vector<ServoEvent> drainEvents(ServoEvent::Kind kind = ServoEvent::Kind::Tick) const
     {
         std::vector<ServoEvent> events = allEvents();
@@ -106,7 +106,7 @@ struct Bare
             all.push_back(event.dtUs);
         return all;
     }
-    /// The teeth that were handed back.
+    /// Frees the teeth that were handed back. Returns their number.
     int freeRetired() const
     {
         int freed = 0;
@@ -145,7 +145,7 @@ struct Counted
     }
 };
 
-/// Between the lowest and the highest value.
+/// A lowest and a highest value.
 struct Range
 {
     double low = 1.0e9;
@@ -166,7 +166,7 @@ haptics::HandFigures steady(haptics::HandFigures hand)
     return hand;
 }
 
-/// With a round hole in its middle.
+/// Returns a tooth with a round hole in its middle.
 contact::LiveTooth* holed(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, double radiusMm, double deepMm)
 {
     std::vector<float> top = anatomy->top;
@@ -176,7 +176,7 @@ contact::LiveTooth* holed(const std::shared_ptr<const terrain::ToothAnatomy>& an
     return new contact::LiveTooth(terrain::restored(anatomy, std::move(top)));
 }
 
-/// A reader that keeps to the rule: it applies a group when it has all of it.
+/// A reader that follows the rule: it applies a group of patches when it is complete.
 struct Reader
 {
     explicit Reader(const terrain::ToothAnatomy& anatomy) : map(anatomy.grid, anatomy.top) {}
@@ -186,7 +186,7 @@ struct Reader
     std::uint64_t tick = 0;
     int strokes = 0;
 
-    /// Takes one patch; true if a group became whole.
+    /// Takes one patch. Returns true if it completes a group.
     bool take(const TilePatch& patch)
     {
         group.push_back(patch);
@@ -201,7 +201,7 @@ struct Reader
     }
 };
 
-/// A groove along y, 2 mm wide, is to be cut into the block.
+/// Returns the fixture of an ideal with a groove along y, 2 mm wide.
 const core::guidance::Fixture* grooveFixture(const terrain::ToothAnatomy& anatomy)
 {
     std::vector<float> ideal = anatomy.top;
@@ -250,7 +250,7 @@ private slots:
         QCOMPARE(byTime.size(), count);
         QVERIFY(byTime.begin()->first >= std::chrono::nanoseconds(begin).count());
         QVERIFY(byTime.rbegin()->first <= std::chrono::nanoseconds(end).count());
-        // The last ones, each where the device was then.
+        // The last poses, each at the position of the device at that time.
         std::size_t tick = 5;
         for (const auto& [takenNs, pose] : byTime)
             QCOMPARE(pose.deviceMm.x, static_cast<double>(0.01F * static_cast<float>(tick++)));
@@ -284,11 +284,11 @@ private slots:
             bare.device.tipMm = hand.next();
             bare.device.present = n % 97 != 0;
             tick(n % 50 == 0 ? 5ms : 1ms);
-            if (n % 3000 < 1500)  // then the queue of patches runs over
+            if (n % 3000 < 1500)  // so that the queue of patches overflows
                 bare.takePatches([](const TilePatch&) {});
         }
         QVERIFY(cuts > 500);
-        for (int n = 0; n < 20000; ++n)  // and that of events
+        for (int n = 0; n < 20000; ++n)  // and the queue of events
             tick(1ms);
         QVERIFY(bare.has(kRecordGap));
         QCOMPARE(counted.allocations, 0L);
@@ -316,7 +316,7 @@ private slots:
         bare.device.present = present;
         if (present)
             bare.device.tipMm.x = x;
-        // It may be one damaged packet. If the force went to zero for it, the hand would fall into the tooth.
+        // A single packet may be damaged. If the force dropped to zero for it, the hand would fall into the tooth.
         for (int n = 1; n < 10; ++n) {
             bare.tick();
             QVERIFY(bare.forceN() > 3.0);
@@ -330,8 +330,8 @@ private slots:
             QCOMPARE(bare.servo.state().anchorMm, anchor);
         }
         bare.tick();
-        QCOMPARE(bare.device.forceN, glm::dvec3(0.0));  // and so told to the hand
-        // Back again.
+        QCOMPARE(bare.device.forceN, glm::dvec3(0.0));  // and the hand receives no force
+        // The device is found again.
         bare.device.present = true;
         bare.device.tipMm = glm::vec3(0.0F, 0.0F, 3.0F);
         bare.tick();
@@ -394,7 +394,7 @@ private slots:
         bare.tick(10);
         bare.device.present = true;
         const double slew = contact::ForceSettings{}.slewNPerS;
-        // Not within the ticks that the slew limit asks for: over a fifth of a second.
+        // The force returns over a fifth of a second, slower than the slew limit alone would allow.
         double before = 0.0;
         for (int n = 0; n < 250; ++n) {
             bare.lean(0.0, 0.0, 0.9);
@@ -425,7 +425,7 @@ private slots:
         bare.device.tipMm = {0.0F, 0.0F, 1.0F};
         bare.tick();
         bare.lean(0.0, 0.0, 0.5, 20);
-        QVERIFY(bare.forceN() < 0.2);  // it still comes back by and by
+        QVERIFY(bare.forceN() < 0.2);  // it returns gradually
         bare.lean(0.0, 0.0, 0.5, 200);
         QVERIFY(bare.forceN() > 0.9);
     }
@@ -446,8 +446,8 @@ private slots:
         QVERIFY2(std::abs(late / prompt - 0.5) < 0.01, qPrintable(QString::number(late / prompt)));
         QVERIFY(bare.has(kLoopIsSlow));
         const auto springs = bare.drainEvents(ServoEvent::Kind::Spring);
-        QVERIFY(springs.size() == 1 && springs[0].value == 50);  // a replay must know
-        // Ticks without a measurement, or without a reading, are no prompt answers.
+        QVERIFY(springs.size() == 1 && springs[0].value == 50);  // a replay needs it
+        // Ticks without a delay or without a reading do not count as fast answers.
         for (int n = 0; n < 2000; ++n) {
             bare.drainEvents();
             bare.device.delayS = n % 4 == 3 ? 0.0F : n % 4 == 1 ? std::nanf("") : 0.004F;
@@ -457,7 +457,7 @@ private slots:
         bare.device.present = true;
         bare.device.delayS = 0.004F;
         QVERIFY(std::abs(restForce() / prompt - 0.5) < 0.01);
-        // A spike is forgotten, not at once.
+        // A single long delay is forgotten after a while.
         bare.device.delayS = kPromptS;
         restForce();
         QVERIFY(bare.has(kLoopIsSlow));
@@ -469,7 +469,7 @@ private slots:
         QVERIFY(std::abs(restForce() / prompt - 1.0) < 0.01);
     }
 
-    /// A slow device is unplugged, and the mouse takes over, which has no delay to tell.
+    /// A slow device is unplugged. The mouse, which reports no delay, takes over.
     void theDeviceAfterALateOneHasTheFullSpring()
     {
         Bare bare(block());
@@ -503,7 +503,7 @@ private slots:
                 QVERIFY(std::abs(bare.forceN() / prompt - 1.0) < 0.01);
             }
         }
-        // Ten in a row are a loop that has stalled. Two seconds later that is over.
+        // Ten long delays in a row mean that the loop has stalled. Two seconds later that is over.
         bare.device.delayS = 0.1F;
         bare.lean(0.0, 0.0, 0.5, 10);
         QVERIFY(bare.has(kLoopIsSlow));
@@ -534,7 +534,7 @@ private slots:
         bare.device.tipMm.z = static_cast<float>(top - deepMm + 0.05);
         bare.tick(300);
         QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
-        bare.send(SwapTooth{new contact::LiveTooth(terrain::Tooth(anatomy)), 1, 2, false, 0});  // as Undo does
+        bare.send(SwapTooth{new contact::LiveTooth(terrain::Tooth(anatomy)), 1, 2, false, 0});  // like Undo
         for (int n = 0; n < 20; ++n) {
             bare.tick();
             QVERIFY2(bare.forceN() < 0.2, qPrintable(QString("tick %1: %2 N").arg(n).arg(bare.forceN())));
@@ -570,7 +570,7 @@ private slots:
             QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
             QVERIFY((bare.servo.state().health & kBegunInside) != 0);
         }
-        // The bur that fits again is felt again, by and by.
+        // When the bur fits again, its force returns gradually.
         bare.send(SetBur{kPear});
         bare.device.tipMm.z = static_cast<float>(top - kDeepMm + 0.1);
         bare.tick();
@@ -581,7 +581,7 @@ private slots:
 
     void nothingIsCutByAForceThatIsNotFelt()
     {
-        // A device that was lost and is back: in its first 30 ms less is felt than enamel asks for.
+        // The device was lost and found again. In the first 30 ms the force is smaller than the spring's.
         Bare bare(block());
         bare.tick();
         bare.lean(0.0, 0.0, 0.3, 300);
@@ -616,7 +616,7 @@ private slots:
             bare.drainEvents();
             bare.send(BringHome{});
             bare.tick(100);
-            QCOMPARE(bare.drainEvents(ServoEvent::Kind::Home).size(), 1U);  // a replay must know
+            QCOMPARE(bare.drainEvents(ServoEvent::Kind::Home).size(), 1U);  // a replay needs it
             if (settings.force.workAreaMm > 0.0) {
                 QVERIFY(bare.servo.state().forceN.x < -0.1);
                 QVERIFY(bare.has(kLedHome));
@@ -626,7 +626,7 @@ private slots:
                 bare.tick();
             }
             QCOMPARE(bare.servo.state().forceN,
-                     glm::dvec3(0.0));  // a mouse is not led, a device that was lost no longer
+                     glm::dvec3(0.0));  // a mouse is not guided, and neither is a lost device
         }
     }
 
@@ -634,23 +634,23 @@ private slots:
     {
         const auto anatomy = block();
         Bare bare(anatomy);
-        bare.device.tipMm = {1.2F, 0.0F, 0.05F};  // over the block, beside the groove
+        bare.device.tipMm = {1.2F, 0.0F, 0.05F};  // above the block, beside the groove
         bare.tick(20);
         QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
         bare.drainEvents();
         bare.send(SetFixture{grooveFixture(*anatomy)});
         bare.tick(2);
-        QVERIFY(length(bare.device.forceN) < 0.02);  // it comes softly
+        QVERIFY(length(bare.device.forceN) < 0.02);  // the force begins softly
         bare.tick(500);
         QVERIFY2(bare.device.forceN.x < -0.2 && bare.device.forceN.x > -1.0,
                  qPrintable(QString::number(bare.device.forceN.x)));
         QVERIFY(bare.has(kHeldInside));
-        // It is no contact: the tooth knows nothing of it, and neither does the recording.
+        // The fixture is no contact: it appears neither in the servo's state nor in the recording.
         QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
         QVERIFY(!bare.servo.state().touching);
         for (const ServoEvent& event : bare.allEvents())
             QVERIFY(event.kind == ServoEvent::Kind::Tick);
-        // A lost device is held by nothing, and one that comes back is held softly.
+        // A lost device receives no force, and when it returns the force begins softly.
         bare.device.present = false;
         bare.tick(20);
         QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
@@ -659,7 +659,7 @@ private slots:
         QVERIFY(length(bare.device.forceN) < 0.05);
         bare.tick(500);
         QVERIFY(bare.device.forceN.x < -0.2);
-        // Put away, and another and another: what was there is handed back to be freed.
+        // Fixtures that are replaced are handed back to be freed.
         bare.send(SetFixture{});
         bare.tick(3);
         QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
@@ -667,10 +667,10 @@ private slots:
         bare.send(SetFixture{grooveFixture(*anatomy)});
         bare.tick(1);
         QCOMPARE(bare.freeFixtures(), 2);
-        bare.send(SetFixture{grooveFixture(*anatomy)});  // and one that comes too late
+        bare.send(SetFixture{grooveFixture(*anatomy)});  // one that is sent too late
     }
 
-    /// A hand that leans out of the groove through a simulated device comes to rest: no cycle, no buzz
+    /// A hand that leans out of the groove through a simulated device comes to rest: no limit cycle and no buzz
     /// (docs/facts/haptics.md, section 2.2).
     void everyHandIsHeldSteadily()
     {
@@ -683,7 +683,7 @@ private slots:
             Range x;
             constexpr int kTicks = 4000;
             for (int n = 0; n < kTicks; ++n) {
-                // Thrown out at 100 mm/s, then held 2 mm out.
+                // Moves out at 100 mm/s and is then held 2 mm outside.
                 falcon.follow({std::min(2.6, 0.1 * n), 0.0, -0.6});
                 const haptics::DeviceSample sample = falcon.exchange(force);
                 force = fixture->forceN(glm::dvec3(sample.tipInToothMm), 1);
@@ -696,7 +696,7 @@ private slots:
         }
     }
 
-    /// The console turns the stiffness while the hand leans on the tooth.
+    /// The console changes the stiffness while the hand leans on the tooth.
     void anotherSpringUnderTheHandComesSoftly()
     {
         Bare bare(block());
@@ -721,8 +721,8 @@ private slots:
         }
     }
 
-    /// Another servo with its tooth, another handpiece, another fixture: what they replace goes back to be freed
-    /// elsewhere.
+    /// Another servo with its tooth, another handpiece, another fixture: the objects that they replace are handed back
+    /// and freed elsewhere.
     void whatIsHandedOverCostsTheTickNoAllocation()
     {
         if (support::kSanitized)
@@ -761,8 +761,8 @@ private slots:
         QCOMPARE(counted.locks, 0L);
     }
 
-    /// The spring of contact is softer where the loop is late, and the fixture is a spring as well: as stiff as ever,
-    /// it shakes a light hand to and fro by 7 mm at 4 ms, once it has been knocked.
+    /// The contact spring becomes softer if the loop is slow, and the fixture is a spring as well. With its full
+    /// stiffness it would shake a light hand by 7 mm at 4 ms after an impact.
     void aLateLoopHoldsTheHandSteadilyToo_data()
     {
         support::columns<int, double>("hand", "delayMs");
@@ -780,10 +780,10 @@ private slots:
         haptics::FalconFigures late;
         late.delayS = 0.001 * delayMs;
         late.delayJitterS = 0.0;
-        late.coulombN = 0.1;  // the least that a Falcon may have
+        late.coulombN = 0.1;  // the smallest friction of a Falcon
         haptics::SimulatedFalcon falcon(late, figures, 0.001, 1, {0.0, 0.0, -0.6});
         const auto anatomy = block();
-        // Cut far wider than asked: nothing but the fixture holds the hand.
+        // The tooth is cut far wider than the ideal, so that only the fixture holds the hand.
         std::vector<float> top = anatomy->top;
         for (float& height : top)
             height -= 2.0F;
@@ -833,7 +833,7 @@ private slots:
         Rng rng(12);
         glm::dvec3 before{0.0};
         for (int n = 0; n < 3000; ++n) {
-            // A hand that jumps.
+            // Every seventh tick the hand jumps.
             if (n % 7 == 0)
                 bare.device.tipMm =
                     glm::vec3(glm::dvec3(rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0), rng.uniform(-5.0, 2.0)));
@@ -857,7 +857,7 @@ private slots:
         for (int n = 0; n < 1500; ++n) {
             bare.lean(2.0 * std::sin(0.01 * n), 1.5 * std::cos(0.013 * n));
             hashOfTick[bare.servo.state().tick] = terrain::stateHash(bare.servo.tooth()->tooth());
-            // The reader is irregular and often stops in the middle of a group.
+            // The reader is irregular, and often stops in the middle of a group.
             if (rng.below(20) != 0)
                 continue;
             TilePatch patch;
@@ -878,7 +878,7 @@ private slots:
         bare.send(SetDrill{true});
         Reader reader(*anatomy);
         bool full = false;
-        for (int n = 0; n < 40000 && !full; ++n) {  // a bur that is pulled too hard stalls
+        for (int n = 0; n < 40000 && !full; ++n) {  // a bur that is pressed too hard stalls
             bare.lean(3.0 * std::sin(0.02 * n), 3.0 * std::cos(0.017 * n));
             full = full || bare.has(kPatchQueueFull);
             bare.drainEvents();
@@ -895,8 +895,8 @@ private slots:
 
     void groupLargerThanAnyBurstStillGoes()
     {
-        // The session sleeps while the bur crosses the whole of the finest grid: more tiles are dirty than were ever
-        // sent at once.
+        // The session sleeps while the bur visits the whole of the finest grid: more tiles change than are ever sent at
+        // once.
         support::Block made;
         made.side = 1024;
         made.cellMm = 0.01;
@@ -908,7 +908,7 @@ private slots:
         while (bare.links->patches.tryPush(filler)) {
         }
         for (int n = 0; n < 1000; ++n) {
-            // Pecks at forty places.
+            // Cuts at forty places.
             const int place = n / 25;
             const int row = place / 8;
             const glm::dvec2 at(0.9 * (place % 8) - 3.2, 1.2 * row - 2.4);
@@ -963,8 +963,8 @@ private slots:
         bare.send(SetDrill{true});
         bare.lean(0.0, 0.0, 0.8, 100);
         bare.device.tipMm.z = 3.0F;
-        bare.tick(20);  // the last tiles go
-        // Now somebody fills the queue; the stroke ends meanwhile.
+        bare.tick(20);  // sends the last tiles
+        // The queue is full while the stroke ends.
         TilePatch filler;
         filler.toothGeneration = 99;
         filler.last = true;
@@ -972,7 +972,7 @@ private slots:
         while (bare.links->patches.tryPush(filler))
             ++fillers;
         bare.tick(300);
-        // Then tile 0 itself is cut: it must not be listed twice.
+        // Now tile 0 itself is cut: it must not be listed twice.
         for (int n = 0; n < 50; ++n)
             bare.lean(-4.8, -4.8);
         Reader reader(*anatomy);
@@ -1001,7 +1001,7 @@ private slots:
         bare.tick();
         QCOMPARE(bare.state.latest().missedPeriods, 501U);
         QCOMPARE(bare.steps(), (std::vector<int>{1000, 3000, 4000, 1000}));
-        // After a freeze of ten seconds the bur takes no more than in four milliseconds.
+        // After a pause of ten seconds the bur removes no more than in four milliseconds.
         bare.send(SetDrill{true});
         bare.lean(0.0, 0.0, 1.0, 300);
         const double before = bare.servo.state().removedMm3[1];
@@ -1016,7 +1016,7 @@ private slots:
 
     void slowBeatIsNoMissedPeriod()
     {
-        // A loop that beats at 100 Hz computes its whole period: nothing was missed.
+        // A loop with ticks of 100 Hz computes its whole period, so that nothing is missed.
         Bare bare(block(), {}, 10ms);
         bare.servo.tick(10ms);
         bare.servo.tick(30ms);
@@ -1041,7 +1041,7 @@ private slots:
             delete old;
         }
         QVERIFY(!bare.links->retired.tryPop(old));
-        bare.give(anatomy, 11);  // never taken: the loop's end frees it, and the one in hand (AddressSanitizer watches)
+        bare.give(anatomy, 11);  // never received: the loop frees both teeth at its end, as AddressSanitizer checks
     }
 
     void fullRetiredQueueHoldsCommandsBack()
@@ -1055,7 +1055,7 @@ private slots:
             bare.tick();
         }
         QCOMPARE(bare.links->retired.space(), 0U);
-        QCOMPARE(bare.links->commands.space(), 64U - 16U);  // 64 were taken, 16 wait
+        QCOMPARE(bare.links->commands.space(), 64U - 16U);  // 64 were received, 16 wait
         int freed = 0;
         for (int n = 0; n < 100; ++n) {
             freed += bare.freeRetired();
@@ -1074,7 +1074,7 @@ private slots:
         bare.give(block(64), 2);
         bare.tick();
         QCOMPARE(bare.servo.state().burIndex, 0);
-        // Every event before the gap is there, in order, and then the new tooth begins.
+        // Every event before the gap is there, in order. Then the new tooth begins.
         QCOMPARE(bare.drainEvents().size(), 16384U - 3U);
         bare.tick();
         QVERIFY(!bare.drainEvents(ServoEvent::Kind::Begin).empty());
@@ -1092,7 +1092,7 @@ private slots:
         QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
         QVERIFY(bare.servo.tooth() == nullptr);
         bare.drainEvents();
-        // What was chosen before the tooth came holds, and is on its recording.
+        // Bur and drill that were chosen before the tooth came still apply, and are recorded.
         bare.give(block(64), 1);
         bare.tick();
         QCOMPARE(bare.servo.state().burIndex, 2);
@@ -1105,7 +1105,7 @@ private slots:
         QVERIFY(events[3].kind == ServoEvent::Kind::Tick);
     }
 
-    /// During a replay: the student's tooth stays as it is, and goes on from there.
+    /// During a replay the student's tooth stays unchanged, and work on it can continue afterwards.
     void aRestingLoopLeavesDeviceAndToothAlone()
     {
         Bare bare(block(64));
@@ -1131,7 +1131,7 @@ private slots:
         QCOMPARE(bare.state.latest().tick, tick);
         QCOMPARE(sound.latest().burRpm, 0.0F);
         QVERIFY(bare.allEvents().empty());
-        // A tooth that was on its way arrives.
+        // A tooth that was sent before still arrives.
         bare.give(block(32), 2);
         bare.tick();
         QCOMPARE(bare.servo.tooth()->tooth().grid().side, 32);

@@ -26,7 +26,7 @@ constexpr double kPeriodS = 0.001;
 constexpr double kStiffestTried = 20.0;  ///< N/mm
 constexpr HandFigures kNoHand{"none", 0.0, 0.0, 0.0, 0.0, 0.0};
 
-/// Mass alone: no friction, no lag, no delay.
+/// Returns a device with mass only: no friction, no lag, no delay.
 FalconFigures bare()
 {
     FalconFigures figures;
@@ -51,9 +51,9 @@ void run(SimulatedFalcon& falcon, int ticks, const glm::dvec3& forceN = glm::dve
         falcon.exchange(forceN);
 }
 
-/// One axis of a hand that leans on a wall with 2 N: thrown at it with 50 mm/s from 2 mm away, does it come to rest?
-/// (docs/facts/haptics.md, section 2.2: less than 0.15 mm from peak to peak in the last 0.5 s of 2 s; its motors answer
-/// at once.)
+/// Returns whether one axis of a hand that leans on a wall with 2 N comes to rest after meeting it at 50 mm/s from 2 mm
+/// away (docs/facts/haptics.md, section 2.2: less than 0.15 mm from peak to peak in the last 0.5 s of 2 s). Its motors
+/// have no lag.
 bool comesToRest(double stiffnessNPerMm, double dampingNSPerM, double coulombN, const HandFigures& hand, double delayS)
 {
     FalconFigures figures = bare();
@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(before, 0.0);
     }
 
-    /// v = v0 exp(-b t / m), so the way is m v0 / b (1 - exp(-b t / m)).
+    /// v = v0 exp(-b t / m), so the distance is m v0 / b (1 - exp(-b t / m)).
     void viscousFrictionBrakesExponentially()
     {
         FalconFigures figures = bare();
@@ -117,7 +117,8 @@ private slots:
         QVERIFY2(std::abs(falcon.tipMm().x / way - 1.0) < 1.0e-3, qPrintable(QString::number(falcon.tipMm().x)));
     }
 
-    /// v0^2 m / (2 fc) of way to the stop; then nothing under fc moves it, and the rest of a greater force does.
+    /// The distance to the stop is v0^2 m / (2 fc). Then a force below fc has no effect, and a larger one moves the
+    /// grip with the remainder.
     void dryFrictionBrakesEvenlyAndHolds()
     {
         FalconFigures figures = bare();
@@ -160,7 +161,7 @@ private slots:
 
     void forceComesAfterTheDelay_data() { support::rows<double>("delayMs", {0.0, 0.5, 1.0, 2.2, 4.0, 20.0}); }
 
-    /// From then on the way is 1/2 F / m t^2, which tells when it began.
+    /// From then on the distance is 1/2 F / m t^2, which shows when the force began.
     void forceComesAfterTheDelay()
     {
         QFETCH(double, delayMs);
@@ -177,7 +178,7 @@ private slots:
     {
         FalconFigures figures = bare();
         figures.delayS = 0.001;
-        figures.delayJitterS = 0.003;  // longer than a period: forces must queue
+        figures.delayJitterS = 0.003;  // longer than a period, so that forces must queue
         double least = 1.0;
         double most = 0.0;
         for (std::uint64_t seed = 1; seed <= 300; ++seed) {
@@ -192,7 +193,7 @@ private slots:
         QVERIFY2(most < 0.00402 && most > 0.0030, qPrintable(QString::number(most)));
     }
 
-    /// Behind a first-order lag the way trails that of the unlagged force: in the end the speed is F / m (t - lag).
+    /// With a first-order lag the motion trails that of the unlagged force: in the end the speed is F / m (t - lag).
     void motorsLag()
     {
         FalconFigures figures = bare();
@@ -216,7 +217,7 @@ private slots:
         QVERIFY(glm::length(glm::normalize(falcon.tipMm()) - glm::normalize(asked)) < 1.0e-9);
     }
 
-    /// Every reading lies on counts of all three arms, as near to the truth as those allow.
+    /// Every reading is a multiple of the counts of all three arms, as close to the true position as those allow.
     void positionIsReadInCounts()
     {
         SimulatedFalcon falcon(bare(), steady(haptics::kHands[1]), kPeriodS, 1, glm::dvec3(0.0));
@@ -238,7 +239,7 @@ private slots:
         QVERIFY2(most < 0.06, qPrintable(QString::number(most)));
     }
 
-    /// An unhindered stiff hand: the grip goes where it trembles to.
+    /// With a free, stiff hand the grip follows the tremor.
     void handTremblesAsAsked()
     {
         HandFigures hand{"stiff", 0.0, 200.0, 100000.0, 0.04, 0.0};
@@ -310,8 +311,8 @@ private slots:
         QCOMPARE(support::locksOnThisThread() - locks, 0L);
     }
 
-    /// The limit lies within 15 % of the table of docs/facts/haptics.md, section 2.2, which a simulation written apart
-    /// from this one found.
+    /// The limits are within 15 % of the table in docs/facts/haptics.md, section 2.2, which an independent simulation
+    /// found.
     void stiffestWallsAreThoseOfTheTable_data()
     {
         support::columns<double, int, double, double, double>("coulombN", "hand", "dampingNSPerM", "delayMs", "nPerMm");

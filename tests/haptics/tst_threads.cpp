@@ -20,13 +20,13 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Between two beats of a thread.
+/// Waits between two ticks of a thread.
 void rest(std::chrono::microseconds time)
 {
-    std::this_thread::sleep_for(time);  // the threads' periods make the mix that is tested
+    std::this_thread::sleep_for(time);  // the periods of the threads mix their ticks
 }
 
-/// The ui thread: it polls, sends commands and looks at the attempt, as a person may.
+/// The ui thread of a simulated user: it polls, sends commands and looks at the attempt.
 class Person
 {
 public:
@@ -34,7 +34,7 @@ public:
         : m_rig(rig), m_journal(journal), m_anatomy(std::move(anatomy))
     {}
 
-    /// Polls what a view polls.
+    /// Polls the channels like a view.
     void look()
     {
         const ServoState& state = m_rig.uiLinks->servo.latest();
@@ -47,7 +47,7 @@ public:
         }
     }
 
-    /// Does one thing, or nothing. Returns false if a command could not be sent.
+    /// Sends one random command, or none. Returns false if a command could not be sent.
     bool act()
     {
         if (const std::uint64_t version = m_rig.uiLinks->session.latest().historyVersion; version != m_version) {
@@ -108,8 +108,8 @@ private:
 
 }  // namespace
 
-/// The five threads of the program at full speed, for ThreadSanitizer: std::thread only, since Qt's are not
-/// instrumented.
+/// Runs the five threads of the program at full speed, for ThreadSanitizer. It uses only std::thread, because Qt's
+/// threads are not instrumented.
 class TestThreads : public QObject
 {
     Q_OBJECT

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program that uses a Falcon through libusb, for tst_preloaded_falcon: opens the first device, sends one request with
-// motor commands, prints how many bytes came back, and waits to be killed.
+// A program that uses a Falcon through libusb, for tst_preloaded_falcon. It opens the first device, sends one request
+// with motor commands, prints the number of bytes received, and waits to be killed.
 #include <array>
 #include <cstdint>
 #include <cstdio>

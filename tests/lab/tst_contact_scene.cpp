@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Accuracy of contact over surfaces whose offset is known. The figures are those of docs/facts/haptics.md, section 8.4.
+// Accuracy of contact on surfaces whose offset is known. The values are those of docs/facts/haptics.md, section 8.4.
 #include <QTest>
 
 #include <algorithm>
@@ -30,8 +30,8 @@ class TestContactScene : public QObject
 {
     Q_OBJECT
 private slots:
-    /// Where in a cell a wall stands the height map does not say: half a cell either way. At an edge the bur's flank
-    /// makes more of it: where it stands on an edge 0.2 or 0.5 mm high, a cell to the side is more than a cell away.
+    /// The height map knows the position of a wall in a cell only to half a cell. At an edge the error is larger: if
+    /// the flank of the bur rests on an edge 0.2 or 0.5 mm high, a cell sideways moves the bur by more than a cell.
     void continuousStandsWhereGeometrySays_data()
     {
         support::columns<QString, QString, bool>("bur", "name", "isEdge");
@@ -59,8 +59,8 @@ private slots:
 
     void latticeFailsWhereTheorySaysSo()
     {
-        // docs/facts/haptics.md, section 3.3: one step a tick is 70 mm/s; candidates that improve are not free on a
-        // slope.
+        // docs/facts/haptics.md, section 3.3: one step per tick is 70 mm/s, and on a slope the candidates that are
+        // nearer are not free.
         for (const char* name : {"plane 0", "plane 27", "groove 30"}) {
             const lab::ContactErrors errors = lab::measureContact(familyOf("2", name), "lattice", kStiffnessNPerMm);
             QVERIFY2(errors.rmsUm > 100.0, qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));
@@ -70,7 +70,7 @@ private slots:
 
     void penaltyFailsWhereTheorySaysSo()
     {
-        // Beside a wall it pushes up, not out; between two walls it knows one.
+        // Beside a wall the method pushes up instead of out, and between two walls it knows only one.
         for (const char* name : {"wall", "groove 30", "groove 45"}) {
             const lab::ContactErrors errors = lab::measureContact(familyOf("2", name), "penalty", kStiffnessNPerMm);
             QVERIFY2(errors.rmsUm > 100.0, qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));

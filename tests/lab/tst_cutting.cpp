@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutting as a hand meets it: pace, layers, ripple, through the whole servo tick.
+// Cutting as felt by a hand, through the whole servo tick: rate, layers, ripple.
 #include <QTest>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 constexpr double kDejMm = -0.9;
 constexpr double kCellMm = lab::kBlockExtentMm / 150;
 
-/// Whether a bur takes the same volume with each of some values put into the trial, within three per cent.
+/// Returns whether a bur removes the same volume, within three per cent, with each of some values of a parameter.
 template <class Put>
 bool isIndependent(const lab::PaceTrial& trial, const std::vector<double>& values, const Put& put)
 {
@@ -52,7 +52,7 @@ core::terrain::ColumnLayers enamelAbove(double dejMm)
     return layers;
 }
 
-/// Presses a bur straight down on a block and hands the state of each tick to `see`; it ends when that says false.
+/// Presses a bur straight down on a block and calls `see` with the state of each tick, until it returns false.
 template <class See>
 void press(const std::function<core::terrain::ColumnLayers(glm::dvec2)>& layers, std::size_t bur, double newtons,
            See&& see)
@@ -71,7 +71,7 @@ void press(const std::function<core::terrain::ColumnLayers(glm::dvec2)>& layers,
     } while (see(servo->state()));
 }
 
-/// The depth of the tip in each tick until it is so far past the junction of enamel and dentin.
+/// Returns the depth of the tip in each tick until it is this far past the junction of enamel and dentin.
 std::vector<double> depthsThroughTheJunction(std::size_t bur, double pastMm)
 {
     std::vector<double> depth;
@@ -105,10 +105,10 @@ private slots:
             lab::PaceTrial trial;
             trial.material = static_cast<Material>(material);
             trial.newtons = newtons;
-            const double seconds = material == 1 ? 1.0 : 0.25;  // what is softer is soon through the block
+            const double seconds = material == 1 ? 1.0 : 0.25;  // in soft material the bur is soon through the block
             trial.towards = lab::feed(20.0, down);
             const double lawful = lab::lawfulMm3PerS(trial) * seconds;
-            // Once it has begun: a touch must be more than a brush first.
+            // Measures after the start, because a contact must first be more than a brush.
             trial.seconds = seconds;
             const double begun = lab::removedMm3(trial);
             trial.seconds = 2.0 * seconds;
@@ -193,8 +193,8 @@ private slots:
                             trial.seconds = 3.0;
                             const lab::Ripple ripple = lab::measureRipple(trial, feeder);
                             QVERIFY2(ripple.rmsN < 0.1, qPrintable(QString("%1 N").arg(ripple.rmsN)));
-                            // It was drilling steadily. A slide whose speed is that of the whole section needs less
-                            // where the end of the bur is not yet down.
+                            // The bur drilled steadily. A slide at the speed of the whole section needs less force
+                            // while the end of the bur is not yet down.
                             QVERIFY2(std::abs(ripple.meanN - trial.newtons) < 0.25 * trial.newtons,
                                      qPrintable(QString("mean %1 N").arg(ripple.meanN)));
                         }
@@ -202,8 +202,8 @@ private slots:
 
     void feedChangesAtTheJunction_data() { burs(); }
 
-    /// 1 N straight down through enamel into dentin. Up to the junction the feed is that of enamel; a cell past it is
-    /// felt, even with a ball, whose tip alone is there.
+    /// Presses 1 N straight down through enamel into dentin. Up to the junction the feed is that of enamel. A cell past
+    /// it the change must be felt, even with a ball, whose tip alone is there.
     void feedChangesAtTheJunction()
     {
         QFETCH(std::size_t, bur);
@@ -221,7 +221,7 @@ private slots:
         QVERIFY2(after / enamel > 1.15, qPrintable(QString("%1 and %2 mm/s").arg(enamel).arg(after)));
     }
 
-    /// All of a flat end meets the junction at the same time, so half of the change is within one cell.
+    /// The whole of a flat end reaches the junction at the same time, so half of the change is within one cell.
     void flatEndFeelsTheJunctionWithinACell()
     {
         const std::vector<double> depth = depthsThroughTheJunction(core::bur::findBur("57").value(), 0.5);
@@ -238,8 +238,7 @@ private slots:
 
     void mixedGroundSharesTheTime()
     {
-        // Enamel under one half of the bur and dentin under the other: the time is sum V_m / rate_m, whatever comes
-        // first.
+        // Enamel under one half of the bur and dentin under the other: the time is sum V_m / rate_m, in any order.
         for (std::size_t bur = 0; bur < core::bur::kCommonBurs; ++bur) {
             constexpr int kTicks = 1500;
             int ticks = 0;
@@ -259,7 +258,7 @@ private slots:
                 seconds += removed[m] / lab::lawfulMm3PerS(alone);
             }
             QVERIFY2(std::abs(seconds - 0.001 * kTicks) < 0.03 * 0.001 * kTicks, qPrintable(QString::number(seconds)));
-            // Side by side they go down together: as much of one as of the other.
+            // Both halves sink at the same rate, so their volumes are equal.
             const double ratio = removed[1] / removed[2];
             QVERIFY2(std::abs(ratio - 1.0) < 0.2, qPrintable(QString::number(ratio)));
         }

@@ -24,7 +24,7 @@ struct Changes
     double springN = 0.0;
 };
 
-/// 99 of 100 ticks of all lines stay below.
+/// Returns the changes of which 99 of 100 ticks of all lines stay below.
 Changes changesOf(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy)
 {
     std::vector<double> felt;
@@ -45,7 +45,7 @@ class TestSmoothness : public QObject
 {
     Q_OBJECT
 private slots:
-    /// The damper took the turning of the spring in a groove for an impact: 0.26 N.
+    /// The damper used to mistake the rotation of the spring in a groove for an impact: 0.26 N.
     void aCrownIsFeltWithoutClicks()
     {
         const Changes changes = changesOf(soundTooth({36}));
@@ -67,7 +67,7 @@ private slots:
     {
         const auto changes = lab::forceChanges(lab::enamelBlock([](glm::dvec2) { return 0.0; }), 0.0, {}).value();
         QCOMPARE(changes.size(), std::size_t{120});
-        // The first ticks lead the friction in.
+        // During the first ticks the friction builds up.
         for (auto change = changes.begin() + 20; change != changes.end(); ++change)
             QVERIFY2(change->feltN < 1.0e-3 && change->springN < 1.0e-3,
                      qPrintable(QString("%1 mm: %2, %3 N").arg(change->xMm).arg(change->feltN).arg(change->springN)));

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kLight = 0;
 constexpr std::size_t kMedium = 1;
 constexpr std::size_t kFirm = 2;
-/// The one scene that the theory lets nobody hold, see withoutDryFrictionEveryLoopTrembles().
+/// The one scene that is unstable in theory, see withoutDryFrictionEveryLoopTrembles().
 const QString kNoFriction = "counts 50, no friction";
 
 lab::StabilityTrial trialOf(const QString& method, double delayMs, std::size_t hand = kMedium, double nPerMm = 2.0)
@@ -49,17 +49,18 @@ QString told(const lab::StabilityResult& result)
         .arg(result.springLeakUj);
 }
 
-/// Bars that are not the force's, or that no spring of 2 N/mm meets: see the tests below.
+/// Returns whether a missed limit is not due to the force law, or cannot be met by any spring of 2 N/mm: see the tests
+/// below.
 bool isKnownMiss(std::string_view scene, const lab::StabilityResult& result)
 {
     const std::string_view missed = result.missed;
-    // All three arms step in one tick, 0.08 mm, as the bur comes off the step's side: 0.52 N instead of 0.5.
+    // All three arms step in one tick, 0.08 mm, when the bur comes off the side of the step: 0.52 N instead of 0.5.
     if (scene == "step 0.5")
         return missed == "jump" && result.jumpN < 0.55;
-    // A count of 0.05 mm is a step of 0.1 N. The bar of 0.02 N is for a device that reads exactly.
+    // A count of 0.05 mm is a step of 0.1 N. The limit of 0.02 N is for a device that reads exactly.
     if (scene.starts_with("groove"))
         return missed == "ripple";
-    // How deep a brush of 0.3 N cuts is the cutting's.
+    // The depth that a brush of 0.3 N cuts depends on cutting.
     return scene == "brush, drilling" && missed == "depth";
 }
 
@@ -88,8 +89,9 @@ private slots:
                 QTest::addRow("%s", qPrintable(latin(name))) << latin(name) << first++;
     }
 
-    /// With every hand and up to 2 ms of delay, and at 4 ms, where the servo loop has halved its spring. A buzz is no
-    /// hold, but for one: the columns of the trench that brushing has cut are felt by a light hand at 4 ms (0.07 N).
+    /// The loop is stable with every hand and up to 2 ms of delay, and at 4 ms, where the servo loop has halved its
+    /// spring. A buzz counts as unstable, with one exception: at 4 ms a light hand feels the columns of the trench that
+    /// brushing has cut (0.07 N).
     void whatWeShipHolds()
     {
         QFETCH(QString, scene);
@@ -109,8 +111,8 @@ private slots:
         }
     }
 
-    /// It diverged before the damper grew with speed: dry friction holds 68 mm/s there (docs/facts/haptics.md,
-    /// section 2.1).
+    /// The loop diverged here before the damping grew with the speed: dry friction stops only 68 mm/s
+    /// (docs/facts/haptics.md, section 2.1).
     void hardImpactsHoldAtThreeNewtonsAMillimetre()
     {
         for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand) {
@@ -119,7 +121,7 @@ private slots:
         }
     }
 
-    /// What a scene calls trembling is the loop's own: a device that reads exactly and answers at once shows none.
+    /// A buzz in a scene comes from the loop itself: a device that reads exactly and responds at once shows none.
     void exactDeviceTremblesNowhere()
     {
         for (const lab::StabilitySceneName& scene : lab::stabilityScenesAndBars()) {
@@ -142,7 +144,7 @@ private slots:
         }
     }
 
-    /// Abbott & Okamura 2005: a count buzzes if the spring is stiffer than 2 fc / D, which is nothing without dry
+    /// Abbott & Okamura 2005: a count causes a buzz if the spring is stiffer than 2 fc / D, which is 0 without dry
     /// friction.
     void withoutDryFrictionEveryLoopTrembles()
     {
@@ -154,11 +156,11 @@ private slots:
         }
     }
 
-    /// How methods fail (docs/facts/haptics.md, section 3.3).
+    /// The failures of methods (docs/facts/haptics.md, section 3.3).
     ///
-    /// Not seen: the lattice's steps of 0.14 N at the wall. They are there (jump), but a hand that goes 2.5 mm/s makes
-    /// no tremble of them: 36 a second. And the lattice with sixteen steps jumps no ridge: each step goes from where
-    /// the last ended.
+    /// Not seen are the steps of the lattice method at the wall, 0.14 N. They exist (jump), but at 2.5 mm/s they come
+    /// 36 times a second and cause no buzz. The lattice method with sixteen steps does not jump over a ridge, because
+    /// each step begins where the last one ended.
     void failuresAreSeen_data()
     {
         support::columns<QString, QString, std::size_t, double, int, QString>("method", "scene", "hand", "delayMs",
@@ -169,10 +171,10 @@ private slots:
                 << QString(method) << QString(scene) << hand << delayMs << outcome << QString(missed);
         };
         constexpr int kAny = -1;
-        constexpr int kNoHold = -2;  // what has no memory is chaotic: it trembles in one build and swings in another
+        constexpr int kNoHold = -2;  // a method without memory is chaotic: it buzzes in one build and swings in another
         const auto code = [](Outcome outcome) { return static_cast<int>(outcome); };
-        // No memory: through the ridge, from wall to wall of a groove, up beside a wall; cutting, it leads itself
-        // astray.
+        // Penalty, without memory: crosses the ridge, changes between the walls of a groove, rises beside a wall, and
+        // misleads itself while cutting.
         add("penalty", "ridge, 1 cell", kMedium, 1.0, code(Outcome::Crosses));
         add("penalty", "ridge, 2 cells", kLight, 0.0, code(Outcome::Crosses));
         add("penalty", "groove", kMedium, 2.0, kNoHold, "ripple");
@@ -181,12 +183,12 @@ private slots:
         add("penalty", "wall", kFirm, 1.0, kAny, "error");
         add("penalty", "drill 2", kMedium, 1.0, kNoHold);
         add("penalty", "loops, ridge", kMedium, 1.0, code(Outcome::Diverges));
-        // A cell a tick is 70 mm/s; on a slope what is nearer is not free, with however many steps.
+        // One cell per tick is 70 mm/s. On a slope the nearer cells are not free, whatever the number of steps.
         add("lattice", "brush", kLight, 1.0, code(Outcome::Sticks), "lag");
         add("lattice", "brush", kFirm, 1.0, code(Outcome::Sticks), "lag");
         add("lattice", "slope", kFirm, 1.0, code(Outcome::Sticks), "lag");
         add("lattice16", "slope", kFirm, 1.0, code(Outcome::Sticks), "lag");
-        // The pipeline of 2011: the same anchor; a force filter lags, nothing knows of delay, nothing of a loss.
+        // The pipeline of 2011: the same anchor; its force filter lags, and it handles neither delay nor a lost device.
         add("ceds 2011", "brush", kLight, 1.0, code(Outcome::Sticks), "lag");
         add("ceds 2011", "slope", kMedium, 1.0, code(Outcome::Sticks), "lag");
         add("ceds 2011", "groove", kFirm, 1.0, code(Outcome::Buzzes), "ripple");
@@ -231,7 +233,7 @@ private slots:
         }
     }
 
-    /// Damping and friction of the force law hide the energy that the method makes; the bare spring shows it
+    /// Damping and friction of the force law hide the energy that the method adds. The bare spring shows it
     /// (docs/facts/haptics.md, section 2.5).
     void penaltyMakesEnergyAtARidge()
     {
@@ -245,7 +247,7 @@ private slots:
         QVERIFY2(penalty.leakUj < 0.0 && penalty.springLeakUj > 10.0, qPrintable(told(penalty)));
     }
 
-    /// Why the pipeline of 2011 cannot simply be given more of its friction: CedsFigures.
+    /// Shows why the pipeline of 2011 cannot simply have more friction: see CedsFigures.
     void strongBackwardDifferenceTrembles()
     {
         lab::StabilityTrial trial = trialOf("ceds 2011", 1.0);

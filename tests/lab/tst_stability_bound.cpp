@@ -12,7 +12,7 @@ using namespace core;
 
 namespace {
 
-/// The loop that the bound is about: the light hand at 2 ms.
+/// Returns the loop that the bound applies to: the light hand at 2 ms.
 lab::ClosedLoop loopOf(const settings::FeelPreset& preset)
 {
     lab::ClosedLoop loop;
@@ -58,9 +58,8 @@ private slots:
                     QTest::addRow("%g and %g N s/m", damping, fast) << damping << fast;
     }
 
-    /// The limit that lab::stiffnessLimit finds by throwing the bur at the tooth lies between the bound and twice the
-    /// bound, over the whole range of both dampers. (Above the first stiffness that fails there may be others that
-    /// hold: the limit is the first.)
+    /// The limit that lab::stiffnessLimit finds by simulation is between the bound and twice the bound, for all values
+    /// of both dampers. (Higher stiffnesses may be stable again: the limit is the first that fails.)
     void whatIsInsideHoldsAndTwiceAsMuchDoesNot()
     {
         QFETCH(double, damping);
@@ -73,8 +72,8 @@ private slots:
         QVERIFY2(limit < 2.0 * bound, qPrintable(said));
     }
 
-    /// The same by a scene of its own: leaned on and thrown at, a preset just inside rests; one of three times the
-    /// bound swings so far that it is felt.
+    /// The same in a scene of its own, with pressing and impacts: a preset just inside the bound comes to rest, and one
+    /// of three times the bound swings noticeably.
     void theSimulatedHandSwingsBeyondTheBound()
     {
         settings::FeelPreset preset = damped(3.0, 10.0);

@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Spring and dry friction alone, as in the table.
+/// Returns a loop with spring and dry friction only, as in the table.
 lab::ClosedLoop loopWith(std::size_t hand, double delayMs)
 {
     lab::ClosedLoop loop;
@@ -39,8 +39,8 @@ class TestStiffnessLimit : public QObject
 {
     Q_OBJECT
 private slots:
-    /// docs/facts/haptics.md, section 2.2, has one axis and motors that answer at once; our whole servo over three axes
-    /// agrees.
+    /// docs/facts/haptics.md, section 2.2, uses one axis and motors without lag. The whole servo in three axes must
+    /// agree.
     void flatToothIsTheOneAxisWall_data()
     {
         support::columns<std::size_t, double, double>("hand", "delayMs", "nPerMm");
@@ -78,7 +78,8 @@ private slots:
         for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
             for (const double delayMs : {0.0, 1.0, 2.0})
                 QTest::addRow("%zu, %g ms", hand, delayMs) << hand << delayMs;
-        // The servo loop has halved the stiffness there. The lightest hand holds more than twice that.
+        // At this delay the servo loop has halved the stiffness. Even the lightest hand is stable with more than twice
+        // that.
         QTest::newRow("a slow loop") << std::size_t{0} << 4.0;
     }
 
@@ -90,8 +91,8 @@ private slots:
         QVERIFY2(limit > core::contact::ForceSettings{}.stiffnessNPerMm, qPrintable(QString::number(limit)));
     }
 
-    /// Against the best setting that the pipeline of 2011 can have while its friction is not felt (CedsFigures), in
-    /// every cell of the table.
+    /// Compares with the best setting of the pipeline of 2011 whose friction cannot be felt (CedsFigures), in every
+    /// cell of the table.
     void oursIsTwiceAsStiffAsThePipelineOf2011_data()
     {
         support::columns<std::size_t, double>("hand", "delayMs");
@@ -133,7 +134,7 @@ private slots:
         QVERIFY2(limit > 0.5 && limit < 5.0, qPrintable(QString::number(limit)));
     }
 
-    /// The lattice method fails from 7 N/mm on, and holds again between 11 and 13.
+    /// The lattice method fails from 7 N/mm on, and is stable again between 11 and 13.
     void islandsBeyondTheLimitDoNotCount()
     {
         lab::ClosedLoop loop = loopWith(2, 1.0);

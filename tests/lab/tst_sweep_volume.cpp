@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Volume that a swept bur takes away, against closed form (docs/facts/haptics.md, section 8.4, item 5).
+// The volume that a swept bur removes, compared with closed form (docs/facts/haptics.md, section 8.4, item 5).
 #include <QTest>
 
 #include <cmath>
@@ -66,14 +66,15 @@ private slots:
 
     void volumeIsWithinOnePercent()
     {
-        // A column under an upright side is taken whole or not at all: single lies stray by that, their mean does not.
+        // A column under a vertical side is removed completely or not at all. Single positions vary by that, but their
+        // mean does not.
         QFETCH(int, sweep);
         QFETCH(int, bur);
         QFETCH(double, depthMm);
         const lab::SweepErrors errors = lab::measureSweep(kSweeps[sweep], 150, static_cast<std::size_t>(bur), depthMm);
         QVERIFY2(std::abs(errors.volumePercent) < 1.0, qPrintable(QString("mean %1 %").arg(errors.volumePercent)));
         QVERIFY2(errors.depthRmsUm < 10.0, qPrintable(QString("depth %1 um").arg(errors.depthRmsUm)));
-        // A ball no deeper than its radius has no upright side: there every lie is within a per cent.
+        // A ball no deeper than its radius has no vertical side, so every position is within one per cent.
         if (bur == 0 && depthMm < 0.5)
             QVERIFY2(errors.worstPercent < 1.0, qPrintable(QString("worst %1 %").arg(errors.worstPercent)));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A voxel model is judged by what is known in closed form and by the height stack, which it is charted against.
+// Compares the voxel model with closed forms and with the height stack, as it is in the charts.
 #include <QTest>
 
 #include <cmath>
@@ -48,14 +48,14 @@ private slots:
         const double right = 2.0 / 3.0 * std::numbers::pi * radius * radius * radius;
         double mean = 0.0;
         for (int lie = 0; lie < kLies; ++lie) {
-            // The surface is anywhere within the cubes that it goes through, the bur anywhere over them.
+            // The surface is at any height within the cubes, and the bur anywhere above them.
             const glm::dvec3 part = glm::fract(glm::dvec3(0.8192, 0.6710, 0.5497) * (lie + 0.5)) * kCellMm;
             lab::VoxelTooth tooth(*lab::enamelBlock([&](glm::dvec2) { return part.z; }, 150));
             const glm::dvec3 tip(part.x, part.y, part.z - radius);
             const core::terrain::PerMaterial gone = tooth.remove(ball, tip);
             QVERIFY(gone[static_cast<std::size_t>(core::terrain::Material::Enamel)] > 0.0);
             QCOMPARE(gone[static_cast<std::size_t>(core::terrain::Material::Dentin)], 0.0);
-            // Half a layer of cubes at the surface, and the sphere's own staircase.
+            // The tolerance is half a layer of cubes at the surface, and the staircase of the sphere.
             QVERIFY2(std::abs(sum(gone) / right - 1.0) < 0.12, qPrintable(QString::number(sum(gone) / right - 1.0)));
             mean += sum(gone) / kLies;
         }
@@ -80,7 +80,8 @@ private slots:
 
     void whatIsAboveABallStays()
     {
-        // Sunk 2 mm and moved aside by more than its radius, a ball leaves a roof over its way; a height map does not.
+        // A ball that sinks 2 mm and moves aside by more than its radius leaves a roof above its path. A height map
+        // cannot represent that.
         const auto block = lab::enamelBlock([](glm::dvec2) { return 0.0; }, 150);
         lab::VoxelTooth tooth(*block);
         const lab::VoxelBur ball(burNamed("2"));

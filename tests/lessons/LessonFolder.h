@@ -50,7 +50,7 @@ public:
     {
         return write(name, QJsonDocument(object).toJson());
     }
-    /// Writes a file, and reads it as a lesson.
+    /// Writes a file and reads it as a lesson.
     template <class Content>
     [[nodiscard]] lessons::ReadLesson read(const QString& name, const Content& content) const
     {

@@ -33,7 +33,7 @@ Assignment classOne()
     return shippedAssignment("class1-36");
 }
 
-/// A slab with decay in the middle and pulp below it, marked as free practice is.
+/// Returns free practice on a slab with decay in the middle and pulp below it.
 Assignment decayed()
 {
     return practiceOn(support::decayedSlab(26, 37)).value();
@@ -51,7 +51,7 @@ const Advice* find(const std::vector<Advice>& all, Rule rule)
     return found == all.end() ? nullptr : &*found;
 }
 
-/// The ideal preparation with the height of each of its columns changed.
+/// Changes the height of a column of the ideal preparation.
 using Change = std::function<float(const Assignment&, std::size_t k, glm::dvec2 atMm, float idealMm)>;
 
 core::terrain::Tooth changed(const Assignment& assignment, const Change& change)
@@ -68,7 +68,7 @@ bool isCut(const Assignment& assignment, std::size_t k)
     return (*assignment.ideal->top)[k] < assignment.anatomy->top[k] - 0.3F;
 }
 
-/// Shifts the ideal cavity by whole nodes, and cuts what either of the two asks for.
+/// Returns the tooth after cutting both the ideal cavity and the same cavity shifted by whole nodes.
 core::terrain::Tooth widened(const Assignment& assignment, int nodes)
 {
     const core::terrain::Grid& grid = assignment.anatomy->grid;
@@ -94,7 +94,7 @@ struct PlungeAttempt
         rig.drill(assignment.anatomy);
         rig.run(1500);
     }
-    /// Goes straight down to a height at so many mm/s, and lifts.
+    /// Moves straight down to a height at this many mm/s, and lifts.
     void plunge(double toMm, double mmPerS)
     {
         for (double z = 0.3; z > toMm; z -= 1.0e-3 * mmPerS) {
@@ -118,7 +118,7 @@ class TestAdvice : public QObject
 private slots:
     void everyMeasureLeadsToAdvice()
     {
-        // No advice is written for these.
+        // Measures that have no advice.
         const std::set<std::string_view> without{"lesion_mm3",
                                                  "access_mm3",
                                                  "smallest_cavity_mm3",
@@ -205,7 +205,7 @@ private slots:
     void thePitThatIsOffIsNamed()
     {
         const Assignment assignment = shippedAssignment("first-01-plunges");
-        // The third pit, of 1.5 mm, lies to the right of the middle.
+        // The third pit, 1.5 mm deep, is to the right of the middle.
         const auto off = [&](float byMm) {
             return adviceFor(assignment, changed(assignment, [=](const Assignment& a, std::size_t k, auto, float z) {
                                  return isCut(a, k) && z < -1.1F && z > -1.6F ? z + byMm : z;
@@ -348,14 +348,14 @@ private slots:
         QVERIFY(told != nullptr && told->amount > 10.0);
         QVERIFY(find(advice, Rule::BelowDecay) != nullptr);
         QVERIFY(find(advice, Rule::DecayLeft) == nullptr && find(advice, Rule::TooLittleDone) == nullptr);
-        // Each is told once, of the criterion that says what is asked for.
+        // Each advice is given once, with the criterion that states the requirement.
         std::set<Rule> rules;
         for (const Advice& one : advice)
             QVERIFY(rules.insert(one.rule).second);
         QVERIFY(assignment.rubric.criteria[told->criterion].weightTenths > 0);
     }
 
-    /// Decay with a soft, a leathery and a firm zone: advice does not ask for what may stay.
+    /// Decay with a soft, a leathery and a firm zone: there is no advice to remove decay that may stay.
     void selectiveRemoval()
     {
         const Assignment assignment = shippedAssignment("first-14-selective-36");

@@ -73,7 +73,7 @@ core::terrain::Tooth cutTo(const Assignment& assignment, const std::vector<float
     return core::terrain::restored(assignment.anatomy, top);
 }
 
-/// As far down as a bur comes, nothing raised.
+/// Returns the tooth cut down to these heights, but no lower than a bur reaches and without raising any column.
 core::terrain::Tooth cutAsFarAsCanBe(const Assignment& assignment, std::vector<float> top)
 {
     const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
@@ -86,7 +86,7 @@ core::terrain::Tooth cutAsFarAsCanBe(const Assignment& assignment, std::vector<f
     return cutTo(assignment, top);
 }
 
-/// What students do to a preparation that is otherwise the ideal.
+/// Mistakes that students make in a preparation that is otherwise ideal.
 enum class Slip { TooShallow, FloorTooDeep, GougeBeside, QuarterGroundOff, FlatToTheFloor };
 
 std::vector<float> spoiled(const Assignment& assignment, Slip slip)
@@ -123,7 +123,7 @@ QJsonObject lessonSchema()
     return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
 }
 
-/// Every key of an object and of those in it, with the names of texts and sizes left out.
+/// Collects every key of an object and of the objects in it. The names of texts and sizes are left out.
 void keysOf(const QJsonObject& object, const QString& before, QSet<QString>& keys)
 {
     static const QSet<QString> kOpen{"title", "goal", "course", "not_modelled", "text", "hint", "sizes"};
@@ -217,7 +217,7 @@ private slots:
                 QTest::newRow(lesson.id.c_str()) << QString::fromStdString(lesson.id);
     }
 
-    /// Whoever cuts what is asked for, as far as a bur reaches, loses nothing, and whoever does nothing earns nothing.
+    /// A preparation cut to the ideal, as far as a bur reaches, loses no points. An untouched tooth earns none.
     void everyIdealEarnsFullPoints()
     {
         QFETCH(QString, id);
@@ -240,8 +240,8 @@ private slots:
                 QTest::newRow(entry.read.lesson->id.c_str()) << QString::fromStdString(entry.read.lesson->id);
     }
 
-    /// All decay of the deep lesions that is to go can be taken out, and whatever lies over it, without opening the
-    /// pulp or going through the tooth.
+    /// In every deep lesion, all decay that must be removed can be removed with the tissue above it, without opening
+    /// the pulp or perforating the tooth.
     void everyLesionCanBeCleared()
     {
         QFETCH(QString, id);
@@ -250,7 +250,7 @@ private slots:
         QCOMPARE(losses(mark(assignment, cutAsFarAsCanBe(assignment, *cleared)).value()), QString());
     }
 
-    /// Decay of front teeth is on a side, and a bur that comes from there takes it out.
+    /// The decay of front teeth is on a side, and a bur that comes from that side can remove it.
     void decayOfFrontTeethIsOnASide()
     {
         int laid = 0;
@@ -265,7 +265,7 @@ private slots:
         QVERIFY(laid > 0);
     }
 
-    /// A recording of an attempt at a tooth that lies on a side is marked as it was, whoever reads it.
+    /// A recording of an attempt on a tooth that lies on a side gets the same marks again wherever it is read.
     void anAttemptAtALaidToothIsMarkedAgain()
     {
         const Assignment assignment = assigned("decay-33-moderate");
@@ -322,8 +322,8 @@ private slots:
         }
     }
 
-    /// Over 1.0 mm too deep or too wide fails (docs/facts/teaching.md, section 4), as does who cuts through side or
-    /// bottom of a block (section 5), however well the rest is done.
+    /// More than 1.0 mm too deep or too wide fails (docs/facts/teaching.md, section 4), and so does cutting through the
+    /// side or the bottom of a block (section 5), however good the rest is.
     void whatNoInstructorPassesFails()
     {
         QFETCH(QString, id);
@@ -333,7 +333,8 @@ private slots:
         QVERIFY2(!marked.sheet.passed(), qPrintable(QString::number(0.1 * marked.sheet.totalTenths)));
     }
 
-    /// The box is cut through where the tooth bulges over it, and the last shell goes last (docs/teeth.md).
+    /// The box is cut through where the tooth bulges over it, and the shell before the neighbouring tooth is removed
+    /// last (docs/teeth.md).
     void aShellLeftBeforeTheNeighbourIsNoHole()
     {
         const Assignment assignment = assigned("class2-36-distal");
@@ -362,7 +363,8 @@ private slots:
                 QTest::newRow(lesson.id.c_str()) << QString::fromStdString(lesson.id);
     }
 
-    /// The box is open towards the next tooth: a bur that goes on outwards touches it, and one inside the box does not.
+    /// The box is open towards the neighbouring tooth: a bur that moves on outwards touches that tooth, and a bur
+    /// inside the box does not.
     void everyBoxHasItsNeighbour()
     {
         QFETCH(QString, id);
@@ -413,7 +415,7 @@ private slots:
         QVERIFY2(axialMm >= least && axialMm <= most, qPrintable(QString::number(axialMm)));
     }
 
-    /// One touch is enough, however well the box is cut.
+    /// One touch of the neighbour fails the attempt, however good the box is.
     void aTouchOfTheNeighbourFailsTheFirstBoxes()
     {
         for (const char* id : {"first-09-mo-36", "first-10-do-25", "first-11-slot-35"}) {
@@ -427,7 +429,7 @@ private slots:
         }
     }
 
-    /// The ridge that a box leaves counts, and the one that it goes through does not.
+    /// A ridge that the box leaves is measured, and the ridge that the box cuts through is not.
     void aRidgeThatABoxLeavesCounts()
     {
         const Assignment assignment = assigned("first-09-mo-36");
@@ -456,7 +458,7 @@ private slots:
         QVERIFY(cutOnBy(3.0).sheet.totalTenths <= 300);
     }
 
-    /// At its rim a tooth is so narrow that a box goes through it: this is no hole.
+    /// Near its rim a tooth is so narrow that a deep box goes through it. This does not count as a perforation.
     void aBoxThatIsTooDeepIsNoPerforation()
     {
         const Assignment assignment = assigned("first-10-do-25");
@@ -542,12 +544,12 @@ private slots:
             const core::terrain::Tooth tooth(assignment.anatomy);
             QCOMPARE(mark(assignment, tooth, Conduct{{}, {}, 0, all})->sheet.totalTenths, kFullTenths);
             QVERIFY2(!mark(assignment, tooth, Conduct{{}, {}, 0, nothing})->sheet.passed(), lesson.id.c_str());
-            // Live and in every replay: what the recording keeps is the same exercise.
+            // The exercise of the recording is the same, so that it is assessed alike live and in every replay.
             const Assignment again = assignmentOf(assignment.anatomy, lesson.json).value();
             QVERIFY(again.exercise == assignment.exercise);
             QVERIFY(examinationOf(again).exercise == assignment.exercise);
         }
-        // They come before all others.
+        // The orientation lessons come before all others.
         QCOMPARE(found, (QStringList{"orientation-1-touch", "orientation-2-hold", "orientation-3-layers"}));
         QCOMPARE(readCatalog({}).front().read.lesson->id, std::string("orientation-1-touch"));
     }
@@ -562,7 +564,7 @@ private slots:
             const Assignment asked = assign(lesson, drawn).value().assignment;
             const auto& pads = std::get<PadsToName>(*asked.exercise);
             orders.insert(pads.madeOf);
-            // The recording holds all that is needed to ask the same, and to mark it.
+            // The recording holds all that is needed to set the same exercise and to mark it.
             core::recording::Recording recording({}, asked.anatomy, lesson.json);
             for (std::size_t pad = 0; pad < kPads; ++pad)
                 recording.append({core::servo::ServoEvent::Kind::Note, 0, glm::vec3(0.0F),
@@ -576,7 +578,7 @@ private slots:
             QCOMPARE(std::get<Named>(*marked->conduct.practised).right, 2);
         }
         QCOMPARE(orders.size(), std::size_t{6});
-        // A teacher who names a seed has the order of that seed.
+        // If the teacher sets a seed, the order is that of the seed.
         std::get<Block>(lesson.tooth).seed = 5;
         for (const std::uint64_t drawn : {0U, 1U, 2U})
             QVERIFY(std::get<PadsToName>(*assign(lesson, drawn).value().assignment.exercise).madeOf ==
@@ -601,7 +603,7 @@ private slots:
                  qPrintable(complaint()));
         write(own, "expert.cusprec");
         QCOMPARE(complaint(), QString());
-        // Another tooth, another variation of it, another decay in it, another grid.
+        // A recording is refused if it is of another tooth, variation, decay or grid.
         Lesson varied = lesson;
         std::get<MadeTooth>(varied.tooth).seed += 1;
         Lesson coarse = lesson;
@@ -611,12 +613,12 @@ private slots:
             QVERIFY2(complaint().startsWith("expert.cusprec: the attempt is at the tooth '"), qPrintable(complaint()));
             QCOMPARE(readExpert(own).error().code, core::ErrorCode::OtherTooth);
         }
-        // Layers come in any order: each is a way to feel them.
+        // The order of the layers may differ, because each order teaches the same.
         Assignment layers = assign(shipped("orientation-3-layers"), 1).value().assignment;
         write(assign(shipped("orientation-3-layers"), 2).value().assignment, "expert.cusprec");
         layers.lesson->expert = own.lesson->expert;
         QVERIFY(readExpert(layers).has_value());
-        // Taken up from a journal, the lesson knows the name alone.
+        // A lesson resumed from a journal has only the file name of the recording.
         own.lesson->expert->file = "expert.cusprec";
         QVERIFY2(complaint().contains("open the lesson anew"), qPrintable(complaint()));
         own.lesson->expert.reset();
@@ -630,7 +632,7 @@ private slots:
         QVERIFY(support::isRefused(assign(lesson), "touch.points[1]: there is no tooth at x = 9.5, y = 0 mm"));
     }
 
-    /// Each key of a shipped file is in the schema, and the reader knows each key of the schema.
+    /// The schema contains each key of every shipped file, and the reader knows each key of the schema.
     void theSchemaKnowsTheKeysThatAreRead()
     {
         const QJsonObject schema = lessonSchema();
@@ -651,7 +653,7 @@ private slots:
         for (const QString& path : std::as_const(inSchema)) {
             const QStringList keys = path.split('.');
             const bool isBase =
-                keys[0] == "based_on" || path == "rubric.based_on";      // it is looked up before keys are read
+                keys[0] == "based_on" || path == "rubric.based_on";      // looked up before the keys are read
             const bool isSize = keys.size() == 3 && keys[1] == "sizes";  // see theSchemaOffersWhatThereIs()
             if (isBase || isSize)
                 continue;
@@ -668,7 +670,7 @@ private slots:
         }
     }
 
-    /// The numbers and names that editors offer are those that are read.
+    /// The schema offers exactly the numbers and names that the reader accepts.
     void theSchemaOffersWhatThereIs()
     {
         const QJsonObject schema = lessonSchema();

@@ -51,7 +51,7 @@ private slots:
         QVERIFY(std::abs(noise.twice->totalTenths - noise.own.totalTenths) <= 4);
     }
 
-    /// A scratch one cell wide lies on a coarse node or between two: its volume doubles or is gone.
+    /// A scratch one cell wide is either on a node of the coarse grid or between two: its volume doubles or vanishes.
     void aCutUnderOneCellDoes()
     {
         const auto anatomy = support::wavyDisc(150, 0.07);
@@ -76,7 +76,7 @@ private slots:
         Assignment assignment = volumeAlone(anatomy, 10.0);
         std::vector<float> top = support::hollowed(anatomy, 1.2).top;
         for (int i = 40; i < 110; ++i)
-            top[anatomy->grid.index(i, 20)] -= 1.0F;  // which the coarse grid counts twice
+            top[anatomy->grid.index(i, 20)] -= 1.0F;  // the coarse grid counts this row twice
         const core::terrain::Tooth tooth = core::terrain::restored(anatomy, top);
         const GridSensitivity first = gridNoise(assignment, tooth).value();
         QVERIFY(first.half.totalTenths < first.own.totalTenths - 10);

@@ -23,7 +23,7 @@ using support::isSound;
 using support::says;
 using support::sentencesOf;
 
-/// A captured ideal in a lesson, and lessons in a pack.
+/// A lesson with a captured ideal, and lessons in a pack.
 
 class TestLessonPack : public QObject
 {
@@ -88,7 +88,7 @@ private slots:
         QJsonObject out = lesson();
         out["ideal"] = QJsonObject{{"captured", "../own.cuspideal"}};
         QVERIFY(says(m_folder->read("own.lesson.json", out), "leads out of the lesson's folder"));
-        // Of another tooth, or another grid.
+        // An ideal captured on another tooth or another grid is refused.
         m_folder->write("own.cuspideal", good);
         for (const auto& [key, value] :
              {std::pair<const char*, QJsonValue>{"tooth", QJsonObject{{"fdi", 36}, {"seed", 5}}}, {"grid", 151}}) {
@@ -186,7 +186,7 @@ private slots:
         QVERIFY(QString::fromStdString(there.lesson->hardness->name).startsWith("second year v2"));
     }
 
-    /// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew.
+    /// With CUSP_REWRITE_CORPUS=1, writes the seeds of the fuzzer again.
     void corpusOfTheFuzzerIsHarmless()
     {
         if (support::rewritesSeeds()) {
@@ -218,7 +218,7 @@ private slots:
         QVERIFY2(offered.read.lesson && offered.read.lesson->id == "own-36", qPrintable(sentencesOf(offered.read)));
         QVERIFY(assign(*offered.read.lesson));
         QVERIFY(entries.back().isFaulty() && says(entries.back().read, "damaged.cusplessons"));
-        // Unpacked beside its pack, it is there once.
+        // If the pack has also been unpacked next to it, its lessons are listed once.
         QVERIFY(putInto(teachers.path(), *unpackLessons(*bytes)));
         QCOMPARE(readCatalog(teachers.path()).size(), shipped + 2);
     }
@@ -271,7 +271,7 @@ private slots:
     void unpackingOverwritesNothing()
     {
         const auto files = *unpackLessons(*packLessons({writeLesson()}));
-        QVERIFY(putInto(m_folder->path(), files));  // all is there as it is in the pack
+        QVERIFY(putInto(m_folder->path(), files));  // the folder has the same files as the pack
         m_folder->write("own.base.json", QByteArray("mine"));
         QFile::remove(m_folder->at("own.cuspideal"));
         QVERIFY(support::isRefused(putInto(m_folder->path(), files), "own.base.json"));
@@ -280,8 +280,7 @@ private slots:
 
     void whatCannotBeUnpackedWholeLeavesNothing()
     {
-        // The second name is longer than any file system takes, as a disk that is full would be found by the second
-        // file.
+        // The second file cannot be written, as on a full disk: its name is longer than any file system allows.
         const QString tooLong = QString(240, u'x') + QStringLiteral(".longer.than.names.may.be.json");
         QVERIFY(!putInto(m_folder->path(), {{"first.json", "{}"}, {tooLong, "{}"}}));
         QVERIFY(QDir(m_folder->path()).isEmpty());
@@ -317,7 +316,7 @@ private slots:
 
     void refusesABomb()
     {
-        // 200 MB of nothing in a few kilobytes.
+        // 200 MB of spaces, packed into a few kilobytes.
         std::string nothing;
         nothing.resize(200'000'000, ' ');
         const QByteArray bomb = QByteArray::fromStdString(core::recording::pack(nothing));
@@ -344,7 +343,7 @@ private slots:
         for (qsizetype k = 0; k < bytes.size(); ++k)
             for (int bit = 0; bit < 8; ++bit) {
                 bytes[k] = static_cast<char>(bytes[k] ^ (1 << bit));
-                // A bit that changes no file, such as one in the frame's head that nobody reads, harms nobody.
+                // A flipped bit that changes no file, such as an unused bit of the frame's header, is harmless.
                 if (const auto files = unpackLessons(bytes)) {
                     ++accepted;
                     QCOMPARE(files->size(), std::size_t{1});
@@ -399,7 +398,7 @@ private:
             qFatal("not unpacked");
         return readLesson(elsewhere.filePath("own.lesson.json"));
     }
-    /// The Class I of 36, cut by rule and captured.
+    /// Returns the ideal of the shipped Class I lesson on tooth 36 as a captured ideal.
     static core::preparation::CapturedIdeal captured()
     {
         const Lesson lesson = *readLesson(QStringLiteral(":/lessons/ideal-1-class1-1-36.lesson.json")).lesson;
@@ -424,7 +423,7 @@ private:
                 {"ideal", QJsonObject{{"captured", "own.cuspideal"}}},
                 {"rubric", "class1"}};
     }
-    /// A lesson with a base, a rubric of its own and a captured ideal.
+    /// Writes a lesson with a base, a rubric of its own and a captured ideal. Returns its path.
     QString writeLesson() const
     {
         writeCaptured("own.cuspideal");

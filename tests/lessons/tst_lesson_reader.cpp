@@ -78,7 +78,7 @@ private slots:
         core::settings::HardnessPreset soft = core::settings::findHardnessPreset("typodont").value();
         soft.name = "soft";
         soft.material[2] = {4.0, 0.2};
-        soft = core::settings::withoutEndsAndFullLoad(soft);  // which a lesson means that gives one share alone
+        soft = core::settings::withoutEndsAndFullLoad(soft);  // the effect of a lesson that gives only one share
         soft.axialShare = 0.5;
         QVERIFY(got.hardness == soft);
         QVERIFY(got.breakOff);
@@ -114,7 +114,7 @@ private slots:
         QVERIFY(decays > 0);
     }
 
-    /// An exam is marked as the practice is, in limited time and without aids, steps or hints.
+    /// An exam is marked like the practice lesson, with a time limit and without aids, steps or hints.
     void shippedExamsAllowNoAid()
     {
         QStringList exams;
@@ -131,7 +131,7 @@ private slots:
                                      "exam-36-class1 class1", "exam-36-class2 class2"}));
     }
 
-    /// What a lesson says of how its tooth lies, for each of the sides, and what cannot be asked of such a tooth.
+    /// A lesson can set on which side its tooth lies. Some of the other settings are then not allowed.
     void aToothLiesAsTheLessonSays()
     {
         QJsonObject object{
@@ -298,7 +298,7 @@ private slots:
         object["exam"] = "maybe";
         const ReadLesson read = m_folder->read("odd.lesson.json", object);
         QCOMPARE(read.faults.size(), std::size_t{3});
-        // One that is not there hides nothing.
+        // A missing rubric does not hide the other faults.
         for (const char* rubric : {"fair", "../fair.json"}) {
             object["rubric"] = rubric;
             const ReadLesson without = m_folder->read("odd.lesson.json", object);
@@ -330,7 +330,7 @@ private slots:
         QCOMPARE(read.lesson->minutes, 20.0);
     }
 
-    /// In no language is it called as what it is based on.
+    /// A title replaces the base's title in all languages.
     void aNameIsTakenAsAWhole()
     {
         QJsonObject base = lesson();
@@ -355,13 +355,13 @@ private slots:
         QVERIFY(isSound(read));
         QCOMPARE(read.lesson->minutes, 0.0);
         QVERIFY(!read.lesson->rules.forceLimitN);
-        // Where there is nothing to take back, it says nothing either.
+        // If the base has no value, null is accepted and has no effect.
         base["grid"] = QJsonValue::Null;
         base["rules"] = noLimit;
         const ReadLesson alone = m_folder->read("alone.lesson.json", base);
         QVERIFY(isSound(alone));
         QCOMPARE(alone.lesson->gridSide, 150);
-        // Each file says its own format.
+        // Each file must state its own format.
         QVERIFY(says(m_folder->read("silent.lesson.json", QJsonObject{{"based_on", "base.json"}, {"id", "silent"}}),
                      "silent.lesson.json, format: is missing"));
     }
@@ -388,7 +388,7 @@ private slots:
         base["format"] = 2;
         m_folder->write("base.json", base);
         QVERIFY(says(m_folder->read("own.lesson.json", faulty), "base.json, format: is 2, from a newer Cusp"));
-        // A rubric that is written out may be based on another as well.
+        // A rubric inside a lesson may be based on another rubric as well.
         QJsonObject object = lesson();
         object["rubric"] = QJsonObject{{"based_on", "decay_removal.rubric.json"}, {"id", "strict"}, {"pass_mark", 90}};
         const ReadLesson strict = m_folder->read("strict.lesson.json", object);
@@ -404,7 +404,7 @@ private slots:
         const ReadLesson read = readLesson(file);
         QVERIFY(!read.lesson);
         QVERIFY(says(read, "a.json, based_on: b.json: is based on itself by way of a.json"));
-        // A chain that never ends is no better.
+        // A chain that is too long is refused as well.
         for (int k = 0; k < 12; ++k)
             m_folder->write(QStringLiteral("%1.json").arg(k),
                             QJsonObject{{"format", 1}, {"based_on", QStringLiteral("%1.json").arg(k + 1)}});
@@ -421,7 +421,7 @@ private slots:
         QVERIFY(
             says(m_folder->read("text.lesson.json", QByteArray("Dear all,\nhello")), "is not JSON: line 1, column"));
         QVERIFY(says(m_folder->read("list.lesson.json", QByteArray("[]")), "one JSON object"));
-        // What is wrong with a JSON text is told as Qt tells it.
+        // Syntax errors have Qt's error texts.
         for (const QByteArray json :
              {"{", "{\"a\" 1}", "{\"a\": [1", "{\"a\": 1 \"b\": 2}", "{\"a\": 1e}", "{\"a\": \"\\u1\"}", "{\"a\": \"",
               "{\"a\": 1,}", "{\"a\": 1} {", "{\"a\": x}", "{\"a\": \"\xFF\"}"}) {
@@ -431,7 +431,7 @@ private slots:
             QVERIFY2(said.contains(error.errorString()), qPrintable(said + " / " + error.errorString()));
         }
         QVERIFY(!m_folder->read("latin.lesson.json", QByteArray("{\"id\": \"\xE4\"}")).lesson);
-        // A mark at the beginning that some editors set is no fault.
+        // A byte order mark, which some editors write, is accepted.
         QVERIFY(m_folder->read("bom.lesson.json", "\xEF\xBB\xBF" + QJsonDocument(lesson()).toJson()).lesson);
     }
 
@@ -484,7 +484,7 @@ private slots:
         QVERIFY(says(latin, "latin.lesson.json is not JSON") && says(latin, "as UTF-8"));
     }
 
-    /// What gives bytes without end is not waited for.
+    /// A device that yields bytes without end is not read.
     void readsFilesAlone()
     {
         QVERIFY(QFile::link("/dev/zero", m_folder->at("endless.stl")));
@@ -509,10 +509,10 @@ private slots:
         QVERIFY(QFileInfo(QString::fromStdString(one.lesson->expert->file)).isAbsolute());
         QCOMPARE(one.lesson->expert->hash.size(), std::size_t{64});
         QVERIFY(one.lesson->hash != without);
-        // Another recording is another lesson.
+        // With another recording the lesson has another hash.
         m_folder->write("expert.cusprec", QByteArray("two"));
         QVERIFY(m_folder->read("e.lesson.json", object).lesson->hash != one.lesson->hash);
-        // A recording of an attempt keeps which one it was, not where it lies.
+        // A recording of an attempt stores the name and the hash of the expert's recording, not its folder.
         const ReadLesson kept = readLessonText(QByteArray::fromStdString(one.lesson->json), QStringLiteral("kept"));
         QVERIFY2(kept.lesson, qPrintable(sentencesOf(kept)));
         QCOMPARE(kept.lesson->expert->file, std::string("expert.cusprec"));
@@ -543,12 +543,12 @@ private slots:
         };
         const std::string first = hashOf(QJsonDocument(object).toJson());
         QCOMPARE(first.size(), std::size_t{64});
-        // Neither spaces nor the place of the file count.
+        // Whitespace and the folder of the file do not change the hash.
         QCOMPARE(hashOf(QJsonDocument(object).toJson(QJsonDocument::Compact)), first);
         QJsonObject other = object;
         other["minutes"] = 1;
         QVERIFY(hashOf(QJsonDocument(other).toJson()) != first);
-        // The rubric is a part of the lesson, as if it had been written out.
+        // The rubric is part of the lesson's hash, as if it were written in the lesson.
         const auto rubric = shippedRubric(QStringLiteral("decay_removal"));
         QVERIFY(rubric.has_value());
         QFile shipped(QStringLiteral(":/lessons/decay_removal.rubric.json"));
@@ -596,7 +596,7 @@ private slots:
     }
 
 private:
-    /// A lesson that is based on "base.json".
+    /// Returns a lesson that is based on "base.json".
     static QJsonObject own(QJsonObject keys)
     {
         keys["format"] = 1;

@@ -54,7 +54,7 @@ Assignment assignmentWith(const std::shared_ptr<const core::terrain::ToothAnatom
     return made;
 }
 
-/// A rig with the bur turning.
+/// A rig whose bur is running.
 struct ReadyRig : support::Rig
 {
     explicit ReadyRig(const Assignment& assignment)
@@ -87,7 +87,8 @@ PointLossTimeline momentsIn(const Assignment& assignment, const Recording& recor
     return momentsOf(assignment, recording).value().value();
 }
 
-/// Each criterion's moments make up its loss; they come in order; the sheet is the one that marking alone gives.
+/// Checks that each criterion's moments add up to its loss, that they are in order, and that the score sheet is the one
+/// that marking alone gives.
 bool isSound(const Assignment& assignment, const Recording& recording, const PointLossTimeline& found)
 {
     core::session::LiveAssessor examiner(examinationOf(assignment), recording.anatomy());
@@ -193,8 +194,8 @@ private slots:
         QCOMPARE(never.seconds, std::chrono::duration<double>(rig.recording().duration()).count());
     }
 
-    /// Points that wait for work to be done are lost by the strokes that lost them as soon as it is done, and by
-    /// nothing that was done as long as it is not.
+    /// With a condition (`once`): when the condition is met, points are lost by the strokes that cost them. Before, the
+    /// loss belongs to no stroke.
     void whatIsNotEarnedYetIsOfNoStroke()
     {
         ReadyRig rig(soundAlone());
@@ -217,8 +218,8 @@ private slots:
         QCOMPARE(early.ofCriteria[0][0].lostTenths, 1000);
     }
 
-    /// How far a depth is off its target falls while the cut comes near, and rises when it goes on: what is lost for
-    /// good is of the strokes that went on.
+    /// The error of a depth falls while the cut approaches the target and rises when it continues. The final loss
+    /// belongs to the strokes that continued.
     void pointsThatWereWonAndLostAreOfTheStrokeThatLostThem()
     {
         CriterionRule depth = rule("depth", "deepest_cut_mm", 0.0, 1.0, 1000);
@@ -281,7 +282,7 @@ private slots:
 
     void timeIsLostWhenItPasses()
     {
-        // Each 10 ms beyond 2 s cost a tenth.
+        // Each 10 ms beyond 2 s costs a tenth of a point.
         const Assignment assignment = assignmentWith(block(), {rule("time", "time_total_s", 2.0, 10.0, 1000)});
         ReadyRig rig(assignment);
         stroke(rig, 0.0, 0.0);
@@ -327,7 +328,7 @@ private slots:
         }
         QCOMPARE(found.ofCriteria[1].front().lostTenths, found.sheet.criteria[1].lostTenths);
         QVERIFY(found.ofCriteria[1].front().lostTenths > 0);
-        QCOMPARE(found.ofCriteria[2].front().lostTenths, 0);  // found none left
+        QCOMPARE(found.ofCriteria[2].front().lostTenths, 0);  // there was nothing left to lose
     }
 
     void onlyTheWorstErrorHasMoments()
@@ -371,7 +372,7 @@ private slots:
                  rule("force", "force_p95_n", 0.2, 2.0, 100), rule("cut", "deepest_cut_mm", 0.3, 3.0, 100),
                  rule("undo", "undo_count", 1.0, 9.0, 100), rule("jerk", "jerk_rms_mm_s3", 10.0, 50000.0, 100)},
                 seed == 3 ? Verdict::WorstError : Verdict::SumOfErrors);
-            // An allowance of the way for what the tooth is like.
+            // An allowance that depends on a measure of the process.
             assignment.rubric.criteria[4].allowance = Allowance{"time_cutting_s", 0.01};
             ReadyRig rig(assignment);
             support::RestlessHand hand(seed);

@@ -53,7 +53,7 @@ bool isSound(const lessons::ReadPreset& read)
     return read.preset && read.faults.empty();
 }
 
-/// Whether one of its faults contains these words.
+/// Returns whether one of the preset's faults contains these words.
 bool says(const lessons::ReadPreset& read, const QString& words)
 {
     const bool is = allFaults(read).contains(words);
@@ -91,7 +91,7 @@ private slots:
             FeelPreset changed;
             const double value = changed.*field.value;
             QVERIFY2(value >= field.minimum && value <= field.maximum, field.id);
-            // A little inside the range, and within the bound.
+            // A value slightly inside the range.
             changed.*field.value = value > field.minimum ? value - 0.01 * (value - field.minimum) : value + 0.01;
             QVERIFY2(hashes.insert(lessons::hashOf(changed)).second, field.id);
             const lessons::ReadPreset read = readText(written(lessons::toJson(changed)));
@@ -111,7 +111,7 @@ private slots:
         }
     }
 
-    /// A preset of before there were flat ends and full loads reads as it was, and keeps its hash.
+    /// A preset from before flat ends and full loads existed keeps its values and its hash.
     void aPresetOfFormat1StaysWhatItIs()
     {
         FeelPreset older = core::settings::withoutEndsAndFullLoad(hardTooth());
@@ -123,14 +123,14 @@ private slots:
         QVERIFY(*read.preset == lessons::hashed(older));
         QVERIFY(!lessons::leftOutFault(read));
         QCOMPARE(lessons::toJson(hardTooth())["format"].toInt(), 2);
-        // The first preset that was shipped, by the hash that it was shipped with.
+        // The first shipped preset, identified by its hash at that time.
         QVERIFY(lessons::shippedPresets().back().hash.starts_with("67fbb52c"));
         QCOMPARE(lessons::shippedPresets().back().version, 1);
         QCOMPARE(lessons::shippedPresets().front().version, 2);
         QCOMPARE(lessons::shippedPresets().front().flatEndShare, 0.615);
     }
 
-    /// A school that made "natural", version 2, before Cusp shipped one goes on with its own.
+    /// If a school made "natural", version 2, before Cusp shipped one, the school keeps its own.
     void aSchoolsOwnVersionGoesBeforeAShippedOne()
     {
         FeelPreset own = core::settings::withoutEndsAndFullLoad(FeelPreset{});
@@ -160,7 +160,7 @@ private slots:
         QCOMPARE(both.preset->firmCariesRate, 4.5);
         QCOMPARE(both.preset->enamelFromN, 0.2);
         QCOMPARE(both.preset->enamelRate, FeelPreset{}.enamelRate);
-        // Which may be meant so, and is told.
+        // The value may be intended, so it is accepted and reported.
         QVERIFY(!both.leftOut.contains("enamel") && both.leftOut.contains("enamel.rate_mm3_per_ns"));
         QVERIFY(both.leftOut.contains("pulp") && both.leftOut.contains("soft_caries.threshold_n"));
         QVERIFY(!both.leftOut.contains("soft_caries.rate_mm3_per_ns"));
@@ -261,16 +261,16 @@ private slots:
     void versionsAreKeptAndNeverChanged()
     {
         const support::LessonFolder folder;
-        lessons::PresetFolder shelf(folder.at("presets"));  // not there yet
+        lessons::PresetFolder shelf(folder.at("presets"));  // the folder does not exist yet
         FeelPreset first = hardTooth();
         first.version = 0;
         QCOMPARE(shelf.save(first).value().version, 1);
-        QCOMPARE(shelf.save(first).value().version, 1);  // the same again is no version more
+        QCOMPARE(shelf.save(first).value().version, 1);  // saving it again unchanged adds no version
         FeelPreset second = first;
         second.enamelRate = 0.5;
         QCOMPARE(shelf.save(second).value().version, 2);
-        QCOMPARE(shelf.save(first).value().version, 3);  // restored: what was, as a version of its own
-        // One that is shipped has its numbers, too.
+        QCOMPARE(shelf.save(first).value().version, 3);  // restoring an older version saves it as a new one
+        // The versions of a shipped preset count as well.
         FeelPreset natural;
         natural.version = 0;
         natural.dentinRate = 2.0;
@@ -297,7 +297,7 @@ private slots:
         QCOMPARE(shelf.list().size(), std::size_t{3});
         theirs.notes = "another of the same number";
         QCOMPARE(shelf.save(theirs).value().version, 8);
-        // After the last number there is none.
+        // There is no version after the highest number.
         theirs.name = "worn out";
         theirs.version = lessons::kNewestPresetVersion;
         QVERIFY(shelf.save(theirs));
@@ -354,7 +354,7 @@ private slots:
         QCOMPARE(used.version, 1);
         QCOMPARE(used.hash, QString::fromStdString(hard.hash).left(8));
         QVERIFY(used.isChanged);
-        // An attempt names it by the whole hash.
+        // An attempt refers to its preset by the whole hash.
         QCOMPARE(lessons::presetUsed(core::settings::hardnessFor(hard, {}).name, false).hash,
                  QString::fromStdString(hard.hash));
         QVERIFY(lessons::presetUsed("natural", false) == (lessons::PresetUsed{"natural", 0, {}, false}));
@@ -366,7 +366,7 @@ private slots:
         QCOMPARE(lessons::presetUsed(core::settings::labelOf(odd), false).version, 3);
     }
 
-    /// What no lesson says comes from the preset in use; which rows of it, the lesson does.
+    /// Values that the lesson does not set come from the preset in use. The lesson decides which of its rows apply.
     void lessonSaysWhichRowsCut()
     {
         using core::terrain::Material;
@@ -397,7 +397,7 @@ private slots:
             QCOMPARE(rate(settingsOf(&lesson), material), preset.plasticRate);
         lesson.hardness = core::settings::findHardnessPreset("typodont").value();
         QCOMPARE(settingsOf(&lesson).hardness.name, std::string("typodont"));
-        // Back again, as for an attempt that is taken up.
+        // The conversion back to a preset, as for a resumed attempt.
         for (const core::settings::ToothKind kind : {core::settings::ToothKind{},
                                                      {true},
                                                      {false, core::settings::DecayKind::Firm},
@@ -416,7 +416,8 @@ private slots:
             QDir::temp().filePath("firm.lesson.json"));
         QVERIFY(read.lesson && read.lesson->kind.decay == core::settings::DecayKind::Firm && !read.lesson->hardness);
         lesson.hardness = core::settings::findHardnessPreset("typodont").value();
-        // As before: plastic as shipped is the typodont, and the shipped preset is what a tooth was.
+        // The defaults are unchanged: plastic of the shipped preset is the typodont, and the shipped preset is the
+        // default tooth.
         const FeelPreset shipped = lessons::shippedPresets().front();
         QVERIFY(core::settings::hardnessFor(shipped, {true}).material == lesson.hardness->material);
         QVERIFY(core::settings::hardnessFor(shipped, {}).material == core::settings::HardnessPreset{}.material);
@@ -425,7 +426,8 @@ private slots:
         QVERIFY(force == core::contact::ForceSettings{});
     }
 
-    /// A file beside it: what it says goes with the lesson into a recording, and into a pack.
+    /// A lesson may name a preset file next to it. The preset's values become part of recordings and packs of the
+    /// lesson.
     void lessonNamesAPresetsFile()
     {
         const support::LessonFolder folder;
@@ -448,7 +450,7 @@ private slots:
         QVERIFY(support::isSound(again));
         QVERIFY(again.lesson->hardness == hardness);
         QCOMPARE(lessons::presetUsed(again.lesson->hardness->name, false).name, QString("Zähne, hart"));
-        // Another content of the file is another lesson.
+        // Another content of the preset file gives the lesson another hash.
         FeelPreset other = preset;
         other.enamelRate = 0.9;
         QVERIFY(lessons::writePreset(folder.at("hard.cusppreset"), other));

@@ -100,7 +100,7 @@ private slots:
         QCOMPARE(sheet.criteria[0].lostTenths, static_cast<int>(1000 * error));
     }
 
-    /// Limits that no binary fraction can be: a value exactly on one is not beyond it, and a little more is.
+    /// Limits that are not exact in binary: a value exactly on the limit passes, and a slightly larger one does not.
     void whatComesFromRoundingIsNoError()
     {
         Rubric rubric = decayRemoval();
@@ -126,7 +126,7 @@ private slots:
                     QVERIFY(!failedAt(limit + sign * 1.0e-10));
                     QVERIFY(failedAt(limit + sign * 1.0e-8));
                 }
-        // Of large numbers the last bits are larger.
+        // Larger numbers have larger rounding errors.
         rule.side = Side::Over;
         rule.target = 600000.7;
         rule.tolerance = 200000.1;
@@ -173,12 +173,12 @@ private slots:
         QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 50.1}}).totalTenths, 1000);
         QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 167 * 0.3}}).totalTenths, 1000);
         QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 50.099}}).totalTenths, 500);
-        // What was done wrong meanwhile is known all the same.
+        // Errors made before the condition is met are still measured.
         const ScoreSheet wrong = graded({{"a", 0.0}, {"b", 2.125}, {"done", 12.0}});
         QVERIFY(wrong.criteria[1].error > 0.0);
         QCOMPARE(wrong.criteria[1].lostTenths, 500);
         QCOMPARE(lostByError(wrong.criteria[1], Verdict::SumOfErrors), 375);
-        // What fails an attempt does not fail it before.
+        // A critical criterion does not fail an attempt before its condition is met.
         rubric.criteria[1].critical = true;
         rubric.criteria[1].weightTenths = 0;
         rubric.criteria[0].weightTenths = 1000;
@@ -195,7 +195,7 @@ private slots:
         QCOMPARE(sheet.criteria[1].lostTenths, 750);
         QCOMPARE(sheet.totalTenths, 250);
         QCOMPARE(grade(rubric, {{"a", 1.0}, {"b", 1.5}}).totalTenths, 1000);
-        // The first of equals.
+        // Of equal errors, the first one counts.
         QCOMPARE(grade(rubric, {{"a", 3.0}, {"b", 9.0}}).criteria[0].lostTenths, 1000);
     }
 
@@ -212,7 +212,7 @@ private slots:
         QCOMPARE(sheet.totalTenths, 0);
         QVERIFY(sheet.failedCritically() && !sheet.passed());
         QVERIFY(grade(rubric, {{"a", 2.0}, {"b", 1.5}, {"harm", 0.1}, {"worse", 0.0}}).passed());
-        // Failing does not hang on the points: with nothing left to lose it fails all the same.
+        // Failing does not depend on points: an attempt fails even if there are none left to lose.
         Rubric lenient = rubric;
         lenient.passMarkTenths = 0;
         QVERIFY(!grade(lenient, {{"a", 9.0}, {"b", 9.0}, {"harm", 1.0}, {"worse", 0.0}}).passed());
@@ -233,19 +233,19 @@ private slots:
         QVERIFY(graded(2.0, 0.1, 0.5).passed());
         ScoreSheet sheet = graded(2.0, 0.2, 0.2);
         QCOMPARE(sheet.totalTenths, 650);
-        QCOMPARE(sheet.criteria[0].lostTenths, 250);  // what the rest cost stays
+        QCOMPARE(sheet.criteria[0].lostTenths, 250);  // the loss of the other criteria is unchanged
         QCOMPARE(sheet.criteria[2].lostTenths, 100);
         QVERIFY(!sheet.passed() && !sheet.failedCritically() && sheet.limitTenths() == 650);
         sheet = graded(2.0, 0.6, 0.6);
         QCOMPARE(sheet.totalTenths, 500);
         QCOMPARE(sheet.criteria[2].lostTenths, 0);
         QCOMPARE(sheet.criteria[3].lostTenths, 250);
-        // Who has fewer points already loses none.
+        // If the other losses already exceed the cap, it costs nothing.
         sheet = graded(9.0, 0.6, 0.6);
         QCOMPARE(sheet.totalTenths, 500);
         QCOMPARE(sheet.criteria[3].lostTenths, 0);
         QVERIFY(sheetIn(toJson(sheet).toStdString()) == sheet);
-        // Before there is anything to judge, it limits nothing.
+        // A criterion that is not yet due does not limit the total.
         rubric.criteria[2].once = Once{"a", "mm", 5.0};
         QCOMPARE(graded(2.0, 0.2, 0.2).totalTenths, 750);
         QCOMPARE(graded(6.0, 0.2, 0.2).totalTenths, 500);
@@ -306,7 +306,7 @@ private slots:
         QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900}), (ClassStanding{4, {}}));
         QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900, 950}), (ClassStanding{5, 60.0}));
         QCOMPARE(classStanding(800, std::vector<int>{100, 200, 800, 800, 950}), (ClassStanding{5, 40.0}));
-        // The lowest of all, who is among them: nobody is below.
+        // For the lowest score of all, nobody is below.
         QCOMPARE(classStanding(100, std::vector<int>{100, 200, 800, 800, 950}), (ClassStanding{5, 0.0}));
         QCOMPARE(classStanding(0, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 0.0}));
         QCOMPARE(classStanding(1000, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 100.0}));
@@ -337,14 +337,14 @@ private slots:
         rubric.hash = std::string("abc");
         const ScoreSheet sheet = grade(rubric, {{"a", 1.0 + 1.0 / 3.0}});
         const QJsonObject object = QJsonDocument::fromJson(toJson(sheet)).object();
-        // What was measured is found again, bit for bit.
+        // The measured values are read back bit for bit.
         const Values again = measuredIn(toJson(sheet).toStdString());
         for (const Criterion& line : sheet.criteria) {
             QCOMPARE(again.contains(line.measure), line.measured.has_value());
             if (line.measured)
                 QCOMPARE(again.at(line.measure), *line.measured);
         }
-        // So is the whole sheet.
+        // The whole sheet is read back unchanged.
         const auto readAgain = [](const ScoreSheet& one) { return sheetIn(toJson(one).toStdString()); };
         QVERIFY(readAgain(sheet) == sheet);
         Rubric worst = rubric;

@@ -21,19 +21,19 @@
 
 using namespace lessons;
 
-// A second implementation of the rubric arithmetic, written from docs/scoring.md alone and unlike the first one:
-// byTheBook() never touches a floating-point number. Every quantity is a whole number of units, every share a fraction
-// of two of them, so it knows the true result, and knows where an exact half was met.
+// A second implementation of the rubric arithmetic, written from docs/scoring.md alone. Unlike the first one,
+// byTheBook() uses no floating-point numbers: every quantity is a whole number of units and every share a fraction of
+// two of them. It therefore knows the exact result, and knows where an exact half was met.
 //
-// Half of the attempts use binary units (1/64): doubles hold them exactly, so tolerance and error must be equal to the
-// last bit, the share is the one double nearest the fraction, and a value exactly on its tolerance or a loss of exactly
-// half a tenth is met on purpose. The others use thousandths, as teachers write them: there doubles round at every
-// step, so tolerance and error are compared to 1e-12 of the largest number that went in, and the share to that over the
-// span.
+// Half of the attempts use binary units (1/64), which doubles represent exactly. There, tolerance and error must be
+// equal to the last bit, and the share is the double nearest to the fraction; values exactly on their tolerance and
+// losses of exactly half a tenth occur on purpose. The others use thousandths, as teachers write them. There, doubles
+// round at every step, so tolerance and error are compared to 1e-12 of the largest input, and the share to that divided
+// by the span.
 //
-// Where a result hangs on the last bit of a double (the page: "Numbers"), the whole numbers cannot decide. Those
-// attempts are counted, left out of the 10,000, and judged, like all others, by a third reading: the page's steps as
-// doubles, one after another, to the last bit.
+// Where a result depends on the last bit of a double (docs/scoring.md, "Numbers"), whole numbers cannot decide. Those
+// attempts are counted, excluded from the 10,000, and checked, like all others, by a third implementation: the steps of
+// the page in doubles, one after another, to the last bit.
 namespace {
 
 using Units = std::int64_t;
@@ -57,14 +57,14 @@ struct BookRule
     Side side = Side::Over;
     Units target = 0;
     Units tolerance = 0;
-    std::optional<std::size_t> allowance;  ///< measure
+    std::optional<std::size_t> allowance;  ///< index of the measure
     Units each = 0;
-    std::optional<std::size_t> once;  ///< measure
+    std::optional<std::size_t> once;  ///< index of the measure
     Units reaches = 0;
     Units span = 0;
     int weight = 0;
     bool critical = false;
-    int cap = 0;  ///< of a critical one
+    int cap = 0;  ///< points cap of a critical criterion
 };
 
 struct BookRubric
@@ -75,7 +75,7 @@ struct BookRubric
     std::vector<BookRule> rules;
 };
 
-/// A share that is never worked out: part / whole, 0 <= part <= whole, whole > 0.
+/// A share as an undivided fraction: part / whole, 0 <= part <= whole, whole > 0.
 struct Fraction
 {
     Units part = 0;
@@ -92,9 +92,9 @@ struct BookLine
 {
     bool measured = false;
     bool tooEarly = false;
-    Units tolerance = 0;  ///< this and the error in units of units: 1 / scale^2
+    Units tolerance = 0;  ///< this and the error are in 1 / scale^2
     Units error = 0;
-    Units rawError = 0;  ///< before it was cut off at 0
+    Units rawError = 0;  ///< before clamping at 0
     Units whole = 0;     ///< the span in the same units
     Fraction share;
     int lost = 0;
@@ -105,12 +105,12 @@ struct BookSheet
     std::vector<BookLine> lines;
     int total = 0;
     bool passed = false;
-    bool open = false;  ///< hangs on the last bit of a double
-    int halves = 0;     ///< losses of exactly half a tenth, decided
+    bool open = false;  ///< depends on the last bit of a double
+    int halves = 0;     ///< losses of exactly half a tenth that were rounded
 };
 
-/// `points` times the share to the nearest whole number, a half upwards: counts the half steps that fit, then pairs
-/// them.
+/// Returns `points` times the share, rounded to the nearest whole number, a half upwards: counts the half steps that
+/// fit and divides by two.
 int nearest(int points, const Fraction& share, bool& half)
 {
     const Wide steps = static_cast<Wide>(2) * points * share.part;
@@ -118,7 +118,7 @@ int nearest(int points, const Fraction& share, bool& half)
     return static_cast<int>((steps / share.whole + 1) / 2);
 }
 
-/// Whether a double holds the fraction exactly.
+/// Returns whether a double represents the fraction exactly.
 bool isBinary(const Fraction& share)
 {
     const Units lowest = share.whole / std::gcd(share.part, share.whole);
@@ -165,7 +165,7 @@ BookSheet byTheBook(const BookRubric& rubric, const std::vector<BookValue>& valu
     for (const BookRule& rule : rules)
         lines.push_back(lineByTheBook(rule, values, rubric.scale));
 
-    // What each may lose: its weight, or 100 points for the worst and nothing for the others.
+    // The points at stake: the weight of each criterion, or 100 points for the worst one and none for the others.
     std::vector<int> stake(rules.size(), 0);
     std::optional<std::size_t> worst;
     for (std::size_t i = 0; i < rules.size(); ++i) {
@@ -204,7 +204,7 @@ BookSheet byTheBook(const BookRubric& rubric, const std::vector<BookValue>& valu
     sheet.total = left;
     sheet.passed = sheet.total >= rubric.passMark && !failed;
 
-    // In thousandths, of two equal shares either may come out as the larger by the last bit of a double.
+    // In thousandths, either of two equal shares may be larger by the last bit of a double.
     if (!exact)
         for (std::size_t i = 0; i < rules.size(); ++i) {
             if (!rubric.worstError || rules[i].critical || i == *worst || lines[*worst].share.part == 0)
@@ -223,8 +223,8 @@ double number(Units units, Units scale)
     return static_cast<double>(units) / static_cast<double>(scale);
 }
 
-/// The page's steps in double precision, in the order they are written: the sheet's numbers to the last bit. Empty, or
-/// the first thing that differs.
+/// Computes the page's steps in double precision, in the written order, and compares the sheet to the last bit. Returns
+/// the first difference, or an empty string.
 std::string differenceInDoubles(const BookRubric& rubric, const std::vector<BookValue>& values, const ScoreSheet& sheet)
 {
     const auto real = [&](Units units) { return number(units, rubric.scale); };
@@ -288,12 +288,13 @@ std::string differenceInDoubles(const BookRubric& rubric, const std::vector<Book
 struct Attempt
 {
     BookRubric rubric;
-    std::vector<BookValue> values;  ///< by measure
+    std::vector<BookValue> values;  ///< indexed by measure
 };
 
 std::vector<int> randomWeights(core::Rng& rng, int count)
 {
-    // Distinct cuts of 1000 tenths; every other time in whole 2.5 points, for shares that end in halves.
+    // Splits 1000 tenths at distinct points. Every other time the weights are multiples of 2.5 points, so that losses
+    // end in halves.
     const int grain = rng.below(2) == 0 ? 25 : 1;
     std::vector<int> cuts = {0, 1000};
     while (static_cast<int>(cuts.size()) < count + 1) {
@@ -356,12 +357,12 @@ Attempt randomAttempt(std::uint64_t seed)
         rubric.rules.insert(rubric.rules.begin() + place, rule);
     }
 
-    // Every measure gets a value or something that is none; then those of the rubric are drawn to where it matters.
+    // Every measure gets a value or an invalid one. The values of the rubric's measures are then drawn near the limits.
     const auto noNumber = [&] {
         return std::array{Reading::Missing, Reading::NotANumber, Reading::Infinite,
                           Reading::MinusInfinite}[static_cast<std::size_t>(rng.below(4))];
     };
-    const int holes = rng.below(3) == 0 ? 6 : 60;  // one value in so many is none
+    const int holes = rng.below(3) == 0 ? 6 : 60;  // one value in this many is invalid
     attempt.values.resize(measures);
     for (BookValue& value : attempt.values) {
         value.reading = rng.below(holes) == 0 ? noNumber() : Reading::Number;
@@ -373,7 +374,7 @@ Attempt randomAttempt(std::uint64_t seed)
         const Units sign = rule.side == Side::Under || (rule.side == Side::Both && rng.below(2) == 0) ? -1 : 1;
         const double reach = static_cast<double>(rule.span) * (rule.critical ? 0.05 : 1.2);
         const Units beyond = static_cast<Units>(rng.uniform(0.0, 1.0) * reach);
-        // At the tolerance, just beyond it, on its other side and within it; and at the value that just loses the whole
+        // At the tolerance, just beyond it, at its opposite, within it, and at the value that just loses the whole
         // weight.
         const std::array places{sign * free, sign * (free + 1), -sign * free,      sign * std::max<Units>(free - 1, 0),
                                 Units{0},    sign * (free / 2), sign * (free / 3), sign * (free + rule.span)};
@@ -383,7 +384,7 @@ Attempt randomAttempt(std::uint64_t seed)
     return attempt;
 }
 
-// ---- the same for the first implementation
+// ---- conversion for the first implementation
 
 Rubric toRubric(const BookRubric& book)
 {
@@ -435,7 +436,7 @@ bool within(double one, double other, double most)
     return std::abs(one - other) <= most;
 }
 
-/// The first thing that differs, or an empty string.
+/// Returns the first difference, or an empty string.
 std::string difference(const Attempt& attempt, const BookSheet& book, const ScoreSheet& sheet)
 {
     const Units scale = attempt.rubric.scale;

@@ -8,7 +8,7 @@ namespace {
 thread_local long g_allocations = 0;
 }  // namespace
 
-// Sanitizer runtimes bring their own operators; replacing those would blind them.
+// Sanitizer runtimes have their own operators, and would miss errors if these were replaced.
 #ifndef CUSP_SANITIZED
 namespace {
 void* counted(std::size_t size)

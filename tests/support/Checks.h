@@ -11,7 +11,7 @@
 /// Checks that print the actual value when they fail.
 namespace support {
 
-inline constexpr double kPi = 3.14159265358979323846;  // moc of Qt 6.4 stumbles over <numbers>
+inline constexpr double kPi = 3.14159265358979323846;  // moc of Qt 6.4 cannot parse <numbers>
 inline constexpr double kDegree = kPi / 180.0;
 
 [[nodiscard]] inline bool near(double actual, double expected, double tolerance = 1.0e-9)

@@ -8,8 +8,8 @@ namespace {
 thread_local long g_locks = 0;
 }  // namespace
 
-// Every std::mutex, QMutex in contention and library lock of the process comes through here: the program's own symbol
-// goes before libc's.
+// Every std::mutex, every contended QMutex and every lock of a library calls these functions, because the program's own
+// symbols take precedence over those of libc.
 #ifndef CUSP_SANITIZED
 namespace {
 template <class Function>

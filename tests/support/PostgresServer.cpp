@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLongMs = 60'000;
 
-/// The newest of Debian's versions.
+/// Returns the folder of the newest PostgreSQL of Debian.
 QString binaries()
 {
     const QDir versions(QStringLiteral("/usr/lib/postgresql"));
@@ -31,7 +31,7 @@ PostgresServer::PostgresServer()
         m_fault = QStringLiteral("PostgreSQL is not installed");
         return;
     }
-    // The socket's path must be short, and whoever runs the server must reach its folder.
+    // The path of the socket must be short, and the user that runs the server must have access to its folder.
     QFile::setPermissions(m_folder.path(), QFile::Permissions(0x7777));
     if (!run(binaries() + "initdb", {"-D", m_folder.filePath("data"), "-U", "school", "-A", "trust", "-E", "UTF8",
                                      "--locale=C.UTF-8", "--no-sync"}) ||
@@ -42,7 +42,7 @@ PostgresServer::PostgresServer()
 PostgresServer::~PostgresServer()
 {
     kill();
-    if (geteuid() == 0)  // what "nobody" made, root removes
+    if (geteuid() == 0)  // root can remove what "nobody" created
         QDir(m_folder.path()).removeRecursively();
 }
 
@@ -67,7 +67,7 @@ bool PostgresServer::run(const QString& program, const QStringList& arguments)
 
 bool PostgresServer::start()
 {
-    // Tests need no disk; a figure wants it as a school's server has it.
+    // Tests do not need data on the disk. A benchmark syncs like a school's server.
     const QString sync = qEnvironmentVariableIsSet("CUSP_FSYNC") ? "fsync=on" : "fsync=off";
     const QStringList words =
         asUser(binaries() + "postgres") +
@@ -80,10 +80,10 @@ bool PostgresServer::start()
     since.start();
     while (since.elapsed() < kLongMs && m_server.state() != QProcess::NotRunning) {
         if (run(binaries() + "psql", {"-h", m_folder.path(), "-U", "school", "-d", "postgres", "-c", "SELECT 1"})) {
-            m_fault.clear();  // of the looks for it while it started
+            m_fault.clear();  // discards the errors of connecting too early
             return true;
         }
-        m_server.waitForFinished(50);  // unless it ends, it is asked again
+        m_server.waitForFinished(50);  // waits a little before the next attempt, unless the server ends
     }
     return false;
 }

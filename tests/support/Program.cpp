@@ -37,7 +37,7 @@ bool Ending::isOneSentence() const
 
 Ending runCusp(const QStringList& arguments, const QStringList& environment, const QByteArray& input)
 {
-    // Not QProcess: wait4 tells the peak memory of this very process.
+    // Not QProcess, because wait4() reports the peak memory of exactly this process.
     const QTemporaryDir folder;
     const QByteArray outFile = folder.filePath(QStringLiteral("out")).toLocal8Bit();
     const QByteArray errorFile = folder.filePath(QStringLiteral("error")).toLocal8Bit();

@@ -17,7 +17,7 @@ using namespace core::servo;
 
 constexpr std::uint64_t kTicksPerSession = 10;
 
-/// The session hands the tooth over, the servo begins with it, the session hears so.
+/// Runs both loops until the session sends the tooth, the servo begins with it, and the session has received that.
 void begin(Rig& rig)
 {
     rig.session->tick(rig.period);
@@ -53,7 +53,7 @@ Rig::Rig(const ServoSettings& wanted, std::chrono::microseconds beat, const Sess
 void Rig::send(SessionCommand command)
 {
     if (!uiLinks->commands.tryPush(std::move(command)))
-        std::abort();  // a test that sends more than the queue holds is wrong
+        std::abort();  // a test must not send more than the queue holds
 }
 
 void Rig::open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation,
@@ -119,7 +119,7 @@ void Rig::settle()
 {
     session->tick(period);
     for (TilePatch patch; uiLinks->patches.tryPop(patch);) {
-        // nobody watches
+        // no view reads them
     }
 }
 

@@ -11,7 +11,7 @@
 
 namespace support {
 
-/// A device at the place that the test sets.
+/// A device whose position is set by the test.
 class HeldDevice final : public haptics::HapticDevice
 {
 public:
@@ -20,7 +20,7 @@ public:
     float delayS = 0.0F;
     std::optional<bool> pedal;
     std::uint8_t speedPercent = 100;
-    glm::dvec3 forceN{0.0};  ///< as last given to the hand
+    glm::dvec3 forceN{0.0};  ///< last force given to the hand
 
     haptics::DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override
     {
@@ -50,7 +50,7 @@ struct Rig
     /// Hands a new tooth to the session and lets both loops begin with it. Leaves one tick on the recording.
     void open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation = 1,
               const std::string& lesson = {});
-    /// The same, with the drill on.
+    /// Like open(), but with the drill on.
     void drill(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation = 1,
                const std::string& lesson = {});
     /// Resumes an attempt made elsewhere; otherwise like open().
@@ -60,7 +60,7 @@ struct Rig
     void give(core::session::SessionCommand command);
     /// Runs the servo, and the session after every tenth tick, as in the program.
     void run(int ticks, std::chrono::microseconds dt = std::chrono::milliseconds(1));
-    /// Presses straight down at (x, y) with about so many newtons against the spring for some ticks.
+    /// Presses straight down at (x, y) with about this force, through the spring, for some ticks.
     void lean(double x, double y, double newtons, int ticks);
     /// Follows a hand for some ticks.
     void follow(class RestlessHand& hand, int ticks);

@@ -11,7 +11,7 @@ namespace support {
 /// Returns a generated tooth as the program builds it. It is built once for each set of arguments. Main thread.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> builtTooth(int fdi, int side = 150,
                                                                             std::uint64_t seed = 0);
-/// The same without a lesion.
+/// Returns a generated tooth without a lesion, likewise.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> soundTooth(int fdi, int side = 150,
                                                                             std::uint64_t seed = 0);
 

@@ -20,7 +20,7 @@ std::uint32_t number(std::size_t index)
     return static_cast<std::uint32_t>(index);
 }
 
-/// A surface of revolution about z: rings of points from the outermost to a tip, closed below by a flat bottom.
+/// Returns a surface of revolution about z: rings of points from the outermost to a tip, closed below by a flat bottom.
 TriangleMesh dome(const std::vector<glm::dvec2>& rings, double tip, int segments)
 {
     TriangleMesh mesh;

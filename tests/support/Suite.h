@@ -12,7 +12,7 @@ class SuiteEntry
 public:
     using Make = std::unique_ptr<QObject> (*)();
 
-    /// `file` is the source of the class. Its name without folder and ending is the name of the test.
+    /// `file` is the source of the class. Its name without folder and extension is the name of the test.
     SuiteEntry(const char* file, Make make) noexcept : file_(file), make_(make), next_(last_) { last_ = this; }
 
     /// Makes the test that is called `name`, or null if there is none.

@@ -24,7 +24,7 @@ constexpr std::array<Cusp, 5> kCusps{{{-2.6, -2.6, 2.9, 1.75},
                                       {-2.5, 2.6, 3.1, 1.75},
                                       {1.8, 2.7, 2.9, 1.8}}};
 
-/// A groove along the segment a-b: 0 away from it, 1 at its bottom.
+/// Returns the depth profile of a groove along the segment a-b: 0 far from it, 1 at its bottom.
 double groove(double x, double y, std::array<double, 4> s, double wide)
 {
     const double dx = s[2] - s[0];
@@ -34,7 +34,7 @@ double groove(double x, double y, std::array<double, 4> s, double wide)
     return std::exp(-away * away / (wide * wide));
 }
 
-/// 0 at the middle of the crown, 1 on its outline.
+/// Returns 0 at the middle of the crown and 1 on its outline.
 double outline(double x, double y)
 {
     return std::pow(std::pow(std::abs(x) / 5.5, 2.6) + std::pow(std::abs(y) / (5.0 + 0.04 * x), 2.6), 1.0 / 2.6);

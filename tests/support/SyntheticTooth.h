@@ -30,7 +30,7 @@ struct Block
 /// Returns a block of enamel, 64 cells a side: quick to work on.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> smallBlock(double cellMm = 0.12);
 
-/// Calls `use` with the number and the place of each node of a grid.
+/// Calls `use` with the index and the position of each node of a grid.
 template <class Use>
 void eachNode(const core::terrain::Grid& grid, Use&& use)
 {
@@ -50,7 +50,7 @@ using Surface = std::function<double(glm::dvec2)>;
                                            const Surface& surface);
 [[nodiscard]] std::vector<float> loweredTop(const core::terrain::ToothAnatomy& anatomy, const Surface& surface);
 
-/// Returns a disc of 4 mm radius under a top that waves along x by 0.3 mm, enamel above -1: no lattice cuts its rim
+/// Returns a disc of 4 mm radius whose top waves along x by 0.3 mm, with enamel above -1. No lattice meets its rim
 /// evenly.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> wavyDisc(int side, double cellMm);
 

@@ -66,7 +66,7 @@ std::optional<ToothMaps> scanMaps(int fdi, int side)
     if (path.empty())
         return std::nullopt;
     core::mesh::TriangleMesh mesh = core::mesh::readMesh(std::filesystem::path(path)).value().mesh;
-    // The scans stand in one arch: +y up, +z anterior, +x the patient's left; upper teeth crown down.
+    // The scans are in the pose of one arch: +y up, +z anterior, +x the patient's left; upper teeth crown down.
     constexpr float kMmPerUnit = 10.5F;
     for (glm::vec3& v : mesh.vertices)
         v = kMmPerUnit * (fdi == 36   ? glm::vec3(-v.z, -v.x, v.y)
@@ -118,7 +118,7 @@ std::vector<NamedMaps> oddMaps()
         std::fill(maps.bottom.begin(), maps.bottom.end(), bottom);
         return maps;
     };
-    ToothMaps root = full(-15.0F, -20.0F);  // everything below where the CEJ would be but one spike
+    ToothMaps root = full(-15.0F, -20.0F);  // everything is below the CEJ except one spike
     root.top[2000] = 0.0F;
     return {{"empty", 36, empty},
             {"needle", 36, needle},

@@ -20,10 +20,11 @@ struct ToothMaps
     [[nodiscard]] bool isSolid(std::size_t k) const { return top[k] > bottom[k]; }
 };
 
-/// Where a file of the shared data folder lies ($CUSP_SHARED_DATA, else beside the source); empty if it is absent.
+/// Returns the path of a file of the shared data folder ($CUSP_SHARED_DATA, or a folder next to the source); empty if
+/// the file is absent.
 [[nodiscard]] std::string sharedData(const std::string& file);
 
-/// Returns a generated tooth, rasterised the same way.
+/// Returns a generated tooth, rasterised like a scan.
 [[nodiscard]] ToothMaps generatedMaps(int fdi, std::uint64_t seed, int side);
 
 /// Rasterises shared/data/teeth/dundee_<fdi>.obj (21, 24 or 36), 10.5 mm a unit, crown up, +x distal; nothing if the

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <string_view>
 
-/// How many of many similar cases a test tries. The usual run tries a share of them, with the same assertions;
-/// CUSP_NIGHTLY=1 tries all. With sanitizers a test takes many times as long, and the share is enough to find misuse of
-/// memory and undefined behaviour: there CUSP_NIGHTLY has no effect.
+/// The number of similar cases that a test tries. The usual run tries a share of them with the same assertions;
+/// CUSP_NIGHTLY=1 tries all. With sanitizers a test takes many times as long, and the share is enough to find memory
+/// errors and undefined behaviour; CUSP_NIGHTLY then has no effect.
 namespace support {
 
 #ifdef CUSP_SANITIZED

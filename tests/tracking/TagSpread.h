@@ -10,7 +10,7 @@
 #include "lab/TagScene.h"
 #include "tests/support/Checks.h"
 
-/// Scenes spread at random, by a seed, over the range that a camera meets.
+/// Random scenes, by a seed, over the range that a camera meets.
 namespace support {
 
 inline core::tracking::CameraModel usualCamera()
@@ -18,7 +18,8 @@ inline core::tracking::CameraModel usualCamera()
     return core::tracking::CameraModel::withFieldOfView(1280, 720, core::tracking::CameraModel::kUsualFovDeg);
 }
 
-/// @param offset  of the tag from the middle of the picture, as shares of the distance
+/// Returns a tag in front of the camera.
+/// @param offset  offset of the tag from the middle of the picture, as shares of the distance
 inline lab::PrintedTag tagBefore(double distanceMm, const glm::dvec2& offset, double tiltDeg, double tiltToDeg,
                                  double rollDeg)
 {

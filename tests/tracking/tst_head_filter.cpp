@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kBeginsS = 1.0;
 
-/// A tag that does not move, as seen in pictures that differ by their noise alone.
+/// Returns a tag at rest, as detected in pictures that differ only by their noise.
 std::vector<PosedTag> tagAtRest(double distanceMm, int pictures)
 {
     lab::TagScene scene;
@@ -73,7 +73,7 @@ private slots:
             const glm::dvec3 apart = pose.positionMm - mean;
             const double deg = angleBetweenDeg(poses.front().rotation, pose.rotation);
             mm2 += glm::dot(apart, apart) / static_cast<double>(poses.size());
-            // Two poses are apart by the square root of two times what one is from the mean.
+            // The difference of two poses is the square root of two times the difference of one from the mean.
             deg2 += 0.5 * deg * deg / static_cast<double>(poses.size());
         }
         QVERIFY(support::between(std::sqrt(mm2), 0.0, 0.05));
@@ -90,7 +90,7 @@ private slots:
         }
     }
 
-    /// The poses of a tag that is seen nearly straight on change places by chance.
+    /// The two possible poses of a tag seen nearly straight on swap at random.
     void keepsToOneOfTwoPoses()
     {
         const Pose one = lab::facing({0.0, 0.0, 600.0}, 0.0, 8.0, 0.0);
@@ -108,7 +108,7 @@ private slots:
             if (n > 2)
                 QVERIFY(angleBetweenDeg(head.pose.rotation, one.rotation) < 0.01);
         }
-        // It began with the wrong one: three pictures that are clear about it are enough.
+        // The filter began with the wrong pose. Three clear pictures must be enough to correct it.
         for (int n = 0; n < 3; ++n) {
             PosedTag tag;
             tag.pose = two;
@@ -120,7 +120,7 @@ private slots:
         QVERIFY(angleBetweenDeg(filter.head().pose.rotation, two.rotation) < 0.01);
     }
 
-    /// The wrong pose of both, far from the right one, is no jump of the head: it is seen in each picture.
+    /// If the filter had chosen the wrong pose, the correction must not count as a jump of the head.
     void mendingAPoseIsNoJump()
     {
         const Pose wrong = lab::facing({0.0, 0.0, 600.0}, -25.0, 0.0, 0.0);

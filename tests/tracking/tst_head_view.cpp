@@ -15,14 +15,14 @@ namespace {
 constexpr double kFrame60S = 1.0 / 60.0;
 const glm::dvec3 kMiddle{0.0, 0.0, 600.0};
 
-/// A view and a head before it, frame by frame.
+/// A view, and a head in front of it, frame by frame.
 struct Watcher
 {
     HeadView view;
     double nowS = 10.0;
     double mostStepDeg = 0.0;
 
-    /// @param place  of the head; null: the tag is not seen
+    /// @param place  position of the head; null: the tag is not seen
     void watch(const glm::dvec3* place, double seconds, bool holds = false)
     {
         for (const double until = nowS + seconds; nowS < until;) {
@@ -59,7 +59,7 @@ private slots:
         QVERIFY(watcher.view.isAtRest());
     }
 
-    /// The camera faces the user: their right is its left, up is -y.
+    /// The camera faces the user, so the user's right is the camera's left; up is -y.
     void theEyeGoesWithTheHead_data()
     {
         QTest::addColumn<double>("x");
@@ -82,7 +82,7 @@ private slots:
         const glm::dvec3 place = kMiddle + glm::dvec3(x, y, 0.0);
         watcher.watch(&place, 2.0);
         const Lean& lean = watcher.view.lean();
-        // 100 mm at 600 mm are 9.46 degrees, doubled, less the dead zone.
+        // 100 mm at 600 mm is 9.46 degrees, doubled, less the dead zone.
         const double turnedDeg = 2.0 * (9.46 - 0.3);
         QVERIFY(std::abs(lean.yawDeg - yaw * turnedDeg) < 0.1);
         QVERIFY(std::abs(lean.pitchDeg - pitch * turnedDeg) < 0.1);

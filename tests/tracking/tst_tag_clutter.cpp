@@ -20,7 +20,7 @@ class TestTagClutter : public QObject
 {
     Q_OBJECT
 private slots:
-    /// In parts, because Qt Test ends a function after five minutes.
+    /// Split into parts, because Qt Test aborts a function after five minutes.
     void clutterHasNoTag_data()
     {
         QTest::addColumn<int>("part");
@@ -28,7 +28,7 @@ private slots:
             QTest::addRow("%d", part) << part;
     }
 
-    /// Neither the tag of the head nor any other.
+    /// Neither the tag of the head nor any other tag is found.
     void clutterHasNoTag()
     {
         QFETCH(int, part);

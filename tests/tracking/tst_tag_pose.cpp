@@ -24,7 +24,7 @@ struct PoseErrors
     std::vector<double> angleDeg;
 };
 
-/// Each tag is in one picture, which is searched whole.
+/// Returns the errors of tags that are each in one picture, which is searched as a whole.
 PoseErrors errorsOf(const CameraModel& camera, int count)
 {
     TrackerSettings settings;
@@ -82,7 +82,7 @@ private slots:
         QVERIFY(support::between(percentile(errors.angleDeg, 0.5), 0.0, 0.3));
     }
 
-    /// Of a tag before the camera, one of both poses is the true one, and the positions of both are close.
+    /// One of the two poses found is the true one, and their positions are close.
     void theTruePoseIsOneOfTwo()
     {
         core::Rng rng(5);

@@ -41,7 +41,7 @@ struct Expected
     std::array<glm::dvec2, 4> corners{};
 };
 
-/// Tags of the family 36h11 in a photograph, as AprilTag's own program found them.
+/// Returns the tags of the family 36h11 in a photograph, as found by AprilTag's own program.
 std::vector<Expected> expectedOf(const QString& table, const QString& photograph)
 {
     QFile file(table);
@@ -75,8 +75,8 @@ class TestTagSearch : public QObject
 {
     Q_OBJECT
 private slots:
-    /// Within three pictures. One that is tilted by up to 50 degrees has short edges: within nine, of which one is
-    /// searched with every pixel.
+    /// A tag is found within three pictures. If it is tilted by up to 50 degrees its edges are short, and it is found
+    /// within nine, of which one is searched at full resolution.
     void smallTagsAreFound_data()
     {
         support::rows<double, double>("edgePx", {24.0, 30.0, 40.0, 52.0}, "mostTiltDeg", {0.0, 30.0, 50.0});
@@ -106,7 +106,7 @@ private slots:
         }
     }
 
-    /// A region begins and ends anywhere. The corners are those of the whole picture all the same.
+    /// Wherever a search region begins and ends, the corners are those of the whole picture.
     void regionsDoNotMoveCorners_data() { support::rows<int>("decimation", {1, 2, 3, 4}); }
 
     void regionsDoNotMoveCorners()
@@ -146,7 +146,7 @@ private slots:
         QVERIFY(support::near(outwards / regions, 0.0, 0.03));
     }
 
-    /// A tag leaves the picture to the left and comes back.
+    /// A tag moves out of the picture to the left and returns.
     void aTagAtTheBorderIsLostAndFoundAgain()
     {
         lab::TagScene scene;
@@ -184,7 +184,8 @@ private slots:
         QTest::newRow("twelve pixels of blur") << 400.0 << 10.0;
     }
 
-    /// 30 pictures a second, each taken in a 60th. Blur harms the depth more than the place in the picture.
+    /// 30 pictures a second with an exposure of a 60th of a second. Blur affects the depth more than the position in
+    /// the picture.
     void aMovingTagIsFollowed()
     {
         QFETCH(double, mmPerS);

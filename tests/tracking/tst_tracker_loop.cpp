@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The loop of head tracking with sources that do what cameras do: show a tag, lose it, go and come back.
+// The loop of head tracking with sources that behave like cameras: they show a tag, lose it, are unplugged and return.
 #include <QTest>
 #include <atomic>
 #include <chrono>
@@ -18,7 +18,7 @@ constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 constexpr int kCellPx = 10;
 
-/// A picture with a tag, seen straight on, on grey that is never the same.
+/// Returns a picture with a tag seen straight on, on a grey that changes with each picture.
 Picture pictureOf(int id, unsigned n, int tags = 1)
 {
     Picture picture;
@@ -36,7 +36,7 @@ Picture pictureOf(int id, unsigned n, int tags = 1)
     return picture;
 }
 
-/// What the camera of a test does; any thread.
+/// The behaviour of a test's camera; any thread.
 struct Script
 {
     std::atomic<bool> isPlugged{true};
@@ -63,7 +63,7 @@ private:
     Script& m_script;
 };
 
-/// Three pictures, as a file has them.
+/// A source of three pictures, like a video file.
 class ScriptedVideo final : public PictureSource
 {
 public:
@@ -133,7 +133,7 @@ private slots:
         Runner runner(loop);
         QTRY_VERIFY_WITH_TIMEOUT(loop.report().stage == TrackerStage::Tracking, kPatienceMs);
         QTRY_VERIFY_WITH_TIMEOUT(loop.head().isSeen, kPatienceMs);
-        // An edge of 80 pixels at f = 277 pixels: 50 mm are seen from 173 mm.
+        // An edge of 80 pixels at f = 277 pixels: 50 mm seen at 173 mm.
         QVERIFY(std::abs(loop.head().pose.positionMm.z - 173.2) < 3.0);
         QCOMPARE(loop.report().sameTags, 1);
         QTRY_VERIFY_WITH_TIMEOUT(loop.report().hz > 0.0, kPatienceMs);

@@ -12,7 +12,7 @@
 
 #include "core/servo/ServoState.h"
 
-/// Statistics of pictures instead of golden bytes, because no two drivers draw the same bytes.
+/// Statistics of pictures. The bytes are not compared, because no two drivers draw the same ones.
 namespace pictures {
 
 /// Writes the picture to the folder CUSP_PICTURES, for inspection. Does nothing if that is not set.
@@ -47,7 +47,7 @@ inline Colour mean(const QImage& image, const QRect& area)
     return {sum.red / count, sum.green / count, sum.blue / count};
 }
 
-/// Returns the square of pixels around a place.
+/// Returns the square of pixels around a point.
 inline QRect around(double x, double y, int reach)
 {
     return {qRound(x) - reach, qRound(y) - reach, 2 * reach + 1, 2 * reach + 1};
@@ -59,7 +59,7 @@ inline bool differs(QRgb p, QRgb q, int threshold)
            threshold;
 }
 
-/// Number of pixels in which two pictures differ by more than `threshold` in a channel, and the box around them.
+/// The number of pixels in which two pictures differ by more than `threshold` in a channel, and their bounding box.
 struct Difference
 {
     int pixels = 0;

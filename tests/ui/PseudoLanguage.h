@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A made-up language, to find words without a translation and words without enough room.
+// An invented language, for finding texts that are not translated or have too little room.
 #pragma once
 
 #include <QAbstractButton>
@@ -49,7 +49,7 @@ inline QString said(const QString& english)
         from = match.capturedEnd();
     }
     retranslateUi(english.size());
-    // In separate words, so that lines can break as in a language.
+    // Splits the filler into words, so that lines can break as in a real language.
     QString longer;
     for (qsizetype k = 0; k < (2 * english.size() + 4) / 5; ++k)
         longer += k % 9 == 8 ? u' ' : u'·';
@@ -75,7 +75,7 @@ inline lessons::LocalText said(const lessons::LocalText& text)
     return strange;
 }
 
-/// Words that come from files are in no .ts file.
+/// Translates texts that come from files and are not in a .ts file.
 inline lessons::Rubric said(lessons::Rubric rubric)
 {
     rubric.title = said(rubric.title);
@@ -117,7 +117,7 @@ inline QString untranslated(QString words)
     return kEnglish.match(words).captured();
 }
 
-/// Returns all words that a person reads in a chart.
+/// Returns all texts of a chart.
 inline QStringList wordsOf(const ui::charts::Chart& chart)
 {
     using namespace ui::charts;
@@ -145,7 +145,7 @@ inline QStringList wordsOf(const ui::charts::Chart& chart)
     return words;
 }
 
-/// Returns all words that a person reads or hears of a widget.
+/// Returns all texts of a widget, visible or read by a screen reader, with the kind of each.
 inline QList<std::pair<QString, QString>> wordsOf(const QWidget& widget)
 {
     QList<std::pair<QString, QString>> words{{"tooltip", widget.toolTip()},
@@ -190,8 +190,8 @@ inline QList<std::pair<QString, QString>> wordsOf(const QWidget& widget)
     return words;
 }
 
-/// Returns the visible words under `root` that are in another language: not translated, or not updated.
-/// @param fromOutside  names from files and people, which stay as they are everywhere
+/// Returns the visible texts under `root` that are in another language, because they are not translated or not updated.
+/// @param fromOutside  names from files and users, which are the same in all languages
 inline QStringList notTranslated(QWidget& root, const QStringList& fromOutside = {})
 {
     QStringList found;
@@ -213,7 +213,7 @@ inline QStringList notTranslated(QWidget& root, const QStringList& fromOutside =
     return found;
 }
 
-/// Words in boxes of their own within a widget: the placeholder of a field, headings and cells of a table.
+/// A text in a box of its own within a widget: the placeholder of a field, a heading or a cell of a table.
 struct Boxed
 {
     QString words;
@@ -258,7 +258,7 @@ inline QList<Boxed> boxedIn(const QWidget& widget)
     return boxes;
 }
 
-/// Returns the clipped words of a widget that draws several.
+/// Returns the clipped texts of a widget that draws several.
 inline QStringList clippedWithin(const QWidget& widget)
 {
     QStringList found;
@@ -276,8 +276,8 @@ inline QStringList clippedWithin(const QWidget& widget)
     return found;
 }
 
-/// Returns the words under `root` that have too little room or are outside. Words may be shortened only if a tooltip
-/// shows all of them.
+/// Returns the texts under `root` that have too little room or are outside. A text may be shortened only if a tooltip
+/// shows all of it.
 inline QStringList clipped(QWidget& root)
 {
     QStringList found;
@@ -304,7 +304,7 @@ inline QStringList clipped(QWidget& root)
         if (!scrolls && !root.rect().contains(QRect(widget->mapTo(&root, QPoint()), widget->size())))
             found << who + QStringLiteral(" lies outside");
         if (qobject_cast<QComboBox*>(widget) != nullptr)
-            continue;  // shortened, and complete when it is opened
+            continue;  // shortened, but shown in full when it is opened
         const QSize wanted =
             widget->hasHeightForWidth() ? QSize(0, widget->heightForWidth(widget->width())) : widget->sizeHint();
         if ((widget->width() < wanted.width() || widget->height() < wanted.height()) &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each action is enabled where it has an effect.
+// Each action is enabled only where it has an effect.
 #include <QTest>
 #include <QWidget>
 

@@ -51,7 +51,7 @@ private slots:
         QVERIFY(showsCode());
         choose(1);
         QVERIFY(!showsCode());
-        // The list says whose code can still be seen.
+        // The list shows which users' codes are still visible.
         const auto state = [this](int row) {
             return child<QTableView>("people")->model()->index(row, 5).data().toString();
         };
@@ -61,7 +61,7 @@ private slots:
         choose(0);
         QVERIFY(showsCode());
         QCOMPARE(textOf("oneTimeCode"), QString("1234-5678"));
-        // The admin may have told the code to the user, so neither one key nor a double click replaces it.
+        // The admin may have given the code to the user already, so neither one key nor a double click replaces it.
         QSignalSpy reset(&people(), &PeoplePart::resetRequested);
         click("resetPassword");
         click("resetPassword");
@@ -69,10 +69,10 @@ private slots:
         QVERIFY2(said().contains("make another"), qPrintable(said()));
         click("keepAsItIs");
         QVERIFY(showsCode());
-        // It was used.
+        // The user has used the code.
         setPeople({someone(1, "Ada", true), bob});
         QVERIFY(!showsCode());
-        // Another admin has made another one, with which this is good for nothing.
+        // Another admin has made another code, which invalidates this one.
         showCode(ada);
         QVERIFY(showsCode());
         ada.codeUntilUtc = "9999-01-01T00:00:00Z";
@@ -82,7 +82,7 @@ private slots:
         // The admin logs out.
         showCode(ada);
         QVERIFY(showsCode() && !people().unsavedChanges().isEmpty());
-        // A code that was copied is not lost.
+        // A code that was copied does not count as unsaved.
         click("copyCode");
         QVERIFY(showsCode() && people().unsavedChanges().isEmpty());
         people().discardChanges();
@@ -104,7 +104,7 @@ private slots:
         click("resetPassword");
         QCOMPARE(entered.size(), 1);
         QCOMPARE(changed.size() + reset.size(), 0);
-        // Later the button does what it says.
+        // Later the button resets the password.
         QTRY_VERIFY((click("resetPassword"), !reset.empty()));
     }
 
@@ -123,7 +123,7 @@ private slots:
         }
     }
 
-    /// Nobody undoes it by themselves.
+    /// An admin who gives up their own role cannot undo that.
     void onesOwnRoleIsNotGivenUpByOneClick()
     {
         database::Person own = someone(1, "Ada", true);
@@ -141,7 +141,7 @@ private slots:
         };
         chooseStudent();
         click("savePerson");
-        click("savePerson");  // of a double click
+        click("savePerson");  // the second click of a double click
         QVERIFY(sent.empty());
         QVERIFY2(said().contains("an admin no longer"), qPrintable(said()));
         click("keepAsItIs");
@@ -153,7 +153,7 @@ private slots:
         QCOMPARE(sent.back().role, database::Role::Student);
         people().confirm(own.id, [] { return QString("Ada Berg was changed."); });
         setPeople({own});
-        // Nor is the account.
+        // An admin cannot disable their own account by one click either.
         sent.clear();
         QTRY_VERIFY((click("disablePerson"), said().contains("your own account")));
         QVERIFY(sent.empty());
@@ -161,7 +161,7 @@ private slots:
         QVERIFY(sent.back().disabled);
     }
 
-    /// As nothing else was changed in the form, nothing of it is undone.
+    /// The form was opened but not changed, so it takes over another admin's changes.
     void aTouchedFormTakesOverWhatOthersHaveEntered()
     {
         const QList<database::SchoolClass> classes{{{1}, "Year 1", 0}, {{2}, "Year 2", 0}, {{3}, "Year 3", 0}};
@@ -190,7 +190,7 @@ private slots:
         QCOMPARE(changed[0][1].value<QSet<qint64>>(), QSet<qint64>{2});
     }
 
-    /// Tab on the way to something else.
+    /// Passing through the list with Tab selects no user.
     void nobodyIsChosenByPassingThroughTheList()
     {
         setPeople({someone(1, "Ada", true), someone(2, "Bob", true)});
@@ -204,14 +204,14 @@ private slots:
         QCOMPARE(given->text(), QString("Ada"));
         QTest::keyClick(table, Qt::Key_Down);
         QCOMPARE(given->text(), QString("Bob"));
-        // A search does not choose another person.
+        // A search does not select another user.
         child<QLineEdit>("peopleSearch")->setText("Ada");
         QCOMPARE(given->text(), QString("Bob"));
         child<QLineEdit>("peopleSearch")->clear();
         QVERIFY(table->selectionModel()->isRowSelected(1));
     }
 
-    /// What is searched for is found again when the search ends; what is only read once more moves nothing.
+    /// After a search the view scrolls to the selected user. Reading the list again does not scroll it.
     void whoIsChosenIsInSightAfterASearch()
     {
         QList<database::Person> all;
@@ -237,7 +237,7 @@ private slots:
         setPeople(all);
         QCOMPARE(bar->value(), scrolled);
         QCOMPARE(table->selectionModel()->selectedRows().size(), 1);
-        // Somebody who was entered just now is seen.
+        // A user who has just been added is scrolled into view.
         all << someone(999, "Zoe", false);
         all.back().familyName = "Zuse";
         people().confirm({999}, [] { return QString("Zoe was entered."); });
@@ -255,7 +255,7 @@ private slots:
         const auto* fault = child<QLabel>("personFault");
         name->setText("Year|2");
         click("addClass");
-        QTest::keyClick(name, Qt::Key_Return);  // before there is an answer
+        QTest::keyClick(name, Qt::Key_Return);  // before the answer has arrived
         QCOMPARE(wanted.size(), 1);
         people().refuseClass([] { return QString("No class can be called that."); });
         QVERIFY(fault->isVisible());
@@ -276,7 +276,7 @@ private slots:
         choose(0);
         QSignalSpy wanted(&people(), &PeoplePart::classRequested);
         const auto* list = child<QListWidget>("personClasses");
-        QCOMPARE(list->item(0)->text(), QString("Year 4"));  // the person's own come first
+        QCOMPARE(list->item(0)->text(), QString("Year 4"));  // the user's own classes come first
         QCOMPARE(list->item(1)->checkState(), Qt::Unchecked);
         child<QLineEdit>("className")->setText("Year 1");
         click("addClass");
@@ -291,7 +291,7 @@ private slots:
         const auto* fault = child<QLabel>("rosterFault");
         QVERIFY2(fault->isVisible() && fault->text().contains("nobody in class.csv"), qPrintable(fault->text()));
         QVERIFY(!child<QLabel>("rosterSaid")->isVisible() && !child<QPushButton>("enterRoster")->isVisible());
-        // What is short in a list is said.
+        // The outcome warns of lines with too few fields.
         database::RosterOutcome looked;
         looked.people = {{"eve", "Eve", database::Role::Student, {}, true, "", "", true},
                          {"ada", "Ada Berg", database::Role::Student, {}, false, "", "", false}};
@@ -307,7 +307,7 @@ private slots:
         auto* without = child<QCheckBox>("auditNoAttempts");
         const auto* counted = child<QLabel>("auditCount");
         audit.keepRows();
-        QVERIFY(counted->text().isEmpty());  // whether there are any nobody knows
+        QVERIFY(counted->text().isEmpty());  // it is unknown whether there are any
         database::AuditRow row;
         row.seq = 7;
         audit.setRows({row}, "1234", true);

@@ -43,7 +43,7 @@ private slots:
         QVERIFY2(gum / all > 0.08, qPrintable(QString::number(gum / all)));
     }
 
-    /// From the front and with the light at the camera, the picture is symmetric.
+    /// Seen from the front with the light at the camera, the picture is symmetric.
     void mirroredTeethAreLitFromOutside()
     {
         look(0.0, 5.0);
@@ -74,7 +74,8 @@ private slots:
         QVERIFY(tinted.box.adjusted(-2, -2, 2, 2).contains(lit.box));
     }
 
-    /// Picking and drawing agree: where a ray meets a tooth, choosing it changes that pixel and no other tooth does.
+    /// Picking agrees with drawing: if a ray meets a tooth, selecting that tooth changes the pixel, and selecting
+    /// another one does not.
     void eachToothIsMetWhereItIsDrawn()
     {
         look(20.0, 10.0);
@@ -90,7 +91,7 @@ private slots:
             QCOMPARE(pictures::differs(plain.pixel(at.x, at.y), image.pixel(at.x, at.y), 6), isMet);
             met += isMet ? 1 : 0;
         }
-        // Of the others something nearer hides the middle.
+        // The middles of the other teeth are hidden by something nearer.
         QVERIFY2(met >= 16, qPrintable(QString::number(met)));
         QCOMPARE(ui::render::toothMet(m_mouth, m_camera.rayThrough({2.0, 2.0})), 0);
     }
@@ -104,7 +105,7 @@ private slots:
         QVERIFY(built.has_value());
         show(built->anatomy);
         m_camera.setSubject({0.0, 0.0, -3.5}, 9.0);
-        // From straight above: no neighbour stands before the tooth.
+        // Seen straight from above, no neighbour hides the tooth.
         look(10.0, ui::tooth::Camera::kHighestDeg);
         const auto drawTooth = [&] { m_renderer->draw(scene()); };
         const QImage alone = picture(drawTooth, 0);
@@ -117,7 +118,7 @@ private slots:
                 m_arches->draw(beside);
             },
             0);
-        // The crown's upper side is as it was: neither gum nor neighbour covers it.
+        // The top of the crown is unchanged: neither gum nor a neighbour covers it.
         const core::teeth::ToothSizes sizes = *core::teeth::findToothSizes(fdi);
         int changed = 0;
         int looked = 0;
@@ -125,7 +126,7 @@ private slots:
             const int line = k / 20;
             const glm::dvec2 place(0.35 * sizes.crownWidthMm * ((k % 20) / 9.5 - 1.0),
                                    0.30 * sizes.crownDepthMm * (line / 9.5 - 1.0));
-            // Its upper half, and where there is a tooth at all.
+            // Only the upper half, and only where there is tooth.
             if (m_surface->topMm(place).value_or(-100.0) < -0.5 * sizes.crownHeightMm)
                 continue;
             ++looked;
@@ -134,7 +135,7 @@ private slots:
         }
         QVERIFY(looked > 150);
         QVERIFY2(changed == 0, qPrintable(QString("%1 of %2 points").arg(changed).arg(looked)));
-        // To the left and right something new stands; behind a third molar there is gum alone.
+        // To the left and right there are neighbours; behind a third molar there is only gum.
         const auto gain = [&](int left) {
             const QRect third(left, 0, kWidth / 3, kHeight);
             return pictures::mean(with, third).brightness() - pictures::mean(alone, third).brightness();

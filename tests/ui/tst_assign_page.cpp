@@ -25,7 +25,7 @@ namespace {
 const QDateTime kToday(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC);
 constexpr database::ClassId kClass{7};
 
-/// Four students. Lesson "a" was passed by two of them and tried by three.
+/// Returns a class of four students. Two of them have passed lesson "a", and three have tried it.
 database::ClassOverview classOf()
 {
     database::ClassOverview made{kClass, "DEN101-A", {}, {"a", "b"}, {}};
@@ -44,7 +44,7 @@ class TestAssignPage : public support::PageTest<AssignPage>
 {
     Q_OBJECT
 private slots:
-    /// 150 is no 15.
+    /// A limit of 150 is refused, and not changed to 15.
     void aLimitBeyondTheRangeIsNoOther()
     {
         auto* limit = first<QSpinBox>("attemptLimit");
@@ -78,7 +78,7 @@ private slots:
         QVERIFY(!assign->isEnabled());
         tick("Class I");
         tick("Cross");
-        QVERIFY(child<QLabel>("whereLessonsAre")->isVisible());  // "Cross" is a teacher's own
+        QVERIFY(child<QLabel>("whereLessonsAre")->isVisible());  // "Cross" is in the teacher's own folder
         const QDate day(2026, 12, 4);
         first<QDateEdit>("dueDay")->setDate(day);
         first<QSpinBox>("attemptLimit")->setValue(5);
@@ -87,7 +87,7 @@ private slots:
         const QList<AssignmentChange> expected{{{}, ClassAssignment{0, kClass, "c", due, 5}},
                                                {{}, ClassAssignment{0, kClass, "d", due, 5}}};
         QCOMPARE(wanted(spy), expected);
-        QVERIFY(!assign->isEnabled());  // until it has been done
+        QVERIFY(!assign->isEnabled());  // disabled until the answer
         m_page->refuse("The database is locked.");
         QVERIFY(textOf("assignSaid").contains("locked"));
         QVERIFY(assign->isEnabled() && !child<QPushButton>("undoAssign")->isVisible());
@@ -96,7 +96,7 @@ private slots:
         QVERIFY(child<QPushButton>("undoAssign")->isVisible());
     }
 
-    /// What the search has put away is not ticked unseen.
+    /// A lesson that the search hides cannot be ticked by the keyboard.
     void keysGoToALessonThatIsSeen()
     {
         auto* list = child<QListView>("offers");
@@ -121,7 +121,7 @@ private slots:
         QCOMPARE(row(1), QStringList({"Decay, deep", "–", "no limit", "0 of 4"}));
         tick("Decay, small");
         QVERIFY(!child<QPushButton>("assignTicked")->isEnabled());
-        // What is ticked stays when the class is told again, unless it has been given meanwhile.
+        // Ticked lessons stay ticked when the class is read again, unless they have been assigned meanwhile.
         tick("Class I");
         tick("Cross");
         m_page->setAssignments(classOf(), {{4, kClass, "c", "", 0}}, kToday);
@@ -141,7 +141,7 @@ private slots:
         }
         search->clear();
         QCOMPARE(offered().size(), 7);
-        // What is ticked and not found is given all the same: the button says how many.
+        // A ticked lesson that the search does not find is assigned as well. The button shows the number.
         tick("Cross");
         search->setText("36");
         QCOMPARE(child<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
@@ -179,7 +179,7 @@ private slots:
         QCOMPARE(change([&] { last<QDateEdit>("dueDay")->setDate(day); }),
                  (QList<AssignmentChange>{{a, ClassAssignment{1, kClass, "a", due, 3}},
                                           {b, ClassAssignment{3, kClass, "b", due, 0}}}));
-        // Only those that differ are changed.
+        // Only assignments that differ are changed.
         QCOMPARE(change([&] {
                      last<QCheckBox>("isDue")->setChecked(false);
                      last<QSpinBox>("attemptLimit")->setValue(0);
@@ -207,11 +207,12 @@ private slots:
         const ClassAssignment once{1, kClass, "a", "", 1};
         const auto said = [this] { return textOf("assignSaid"); };
         m_page->confirm({{given, once}});
-        // Two have passed, one has tried, one has not.
+        // Two students have passed, one has tried, one has not.
         QVERIFY2(said().contains("1 student(s) who have not passed"), qPrintable(said()));
         m_page->confirm({{once, ClassAssignment{1, kClass, "a", "", 2}}});
         QVERIFY2(!said().contains("student(s)"), qPrintable(said()));
-        // Of two lessons everybody is counted once: another is stuck at each, and one at both.
+        // A student is counted once for both lessons: a different one has used up the attempts at each, and one at
+        // both.
         database::ClassOverview two = classOf();
         two.lessons = {"a", "b"};
         two.cells.assign(two.students.size(), std::vector<database::MatrixCell>(2));
@@ -223,7 +224,7 @@ private slots:
     }
 
     void theNextBeginsAfresh_data() { support::rows<bool>("isTeacher", {false, true}); }
-    /// Nothing of the one before is there to be given, or undone, under the name of the next.
+    /// No selection or undo of the previous teacher or class is left for the next one.
     void theNextBeginsAfresh()
     {
         QFETCH(bool, isTeacher);

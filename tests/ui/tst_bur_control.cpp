@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drill runs only where it is watched and allowed, and afterwards as before.
+// The drill runs only while the tooth is visible and drilling is allowed, and returns to its previous state afterwards.
 #include <memory>
 
 #include <QTest>
@@ -21,14 +21,14 @@ struct Rig
 {
     Rig() { state.tooth = support::syntheticMolar(); }
 
-    /// The user switches the drill by its action.
+    /// Switches the drill by its action, as the user does.
     void press()
     {
         actions.drill->setChecked(!actions.drill->isChecked());
         control.switchDrill(actions.drill->isChecked());
         answer();
     }
-    /// Returns what was requested of the drill since the last call.
+    /// Returns the requests to the drill since the last call.
     QList<bool> requests()
     {
         QList<bool> all;
@@ -37,7 +37,7 @@ struct Rig
                 all << drill->on;
         return all;
     }
-    /// The servo does what was requested, and says so.
+    /// Executes the requests as the servo does, and reports the result. Returns the requests.
     QList<bool> answer()
     {
         const QList<bool> all = requests();
@@ -84,7 +84,7 @@ private slots:
     {
         m_rig->control.stopForBreach(true);
         QCOMPARE(m_rig->answer(), QList<bool>{false});
-        m_rig->control.stopForBreach(false);  // another breach before the answer
+        m_rig->control.stopForBreach(false);  // another violation before the answer
         m_rig->answer();
         m_rig->control.continueAfterBreach();
         QCOMPARE(m_rig->answer(), QList<bool>{true});
@@ -101,7 +101,7 @@ private slots:
         m_rig->answer();
         m_rig->control.setInRoom(true, false);
         QCOMPARE(m_rig->answer(), QList<bool>());
-        // The next attempt begins as this one did.
+        // The next attempt begins like this one.
         m_rig->state.isExamOver = false;
         m_rig->control.beginTask(Task::CutIdeal);
         QCOMPARE(m_rig->answer(), QList<bool>{true});

@@ -142,7 +142,7 @@ private slots:
         while (camera.advance(0.016))
             QVERIFY(glm::distance(camera.pixelOf(cusp), before) < 1e-6);
         QVERIFY(glm::distance(camera.pixelOf(cusp), before) < 1e-6);
-        // Away again, wherever the pointer is, the whole crown comes back to the middle.
+        // Zooming out again, at any position of the pointer, brings the whole crown back to the middle.
         camera.zoom(-9.0, glm::dvec3(-3.0, 1.0, -2.0));
         camera.advance(10.0);
         QVERIFY(glm::distance(camera.pixelOf(kMiddle), middle) < 1e-6);
@@ -169,7 +169,7 @@ private slots:
         for (const double elevation : {0.0, 40.0, 85.0})
             QTest::addRow("%.0f degrees", elevation) << elevation;
     }
-    /// The head goes about the axes of the screen, from wherever the tooth is seen.
+    /// The head rotates the view about the axes of the screen, from any viewpoint.
     void leansWithTheHead()
     {
         QFETCH(double, elevationDeg);
@@ -185,16 +185,16 @@ private slots:
         eye = (camera.eyeMm() - kMiddle) / 40.0;
         QVERIFY(near(glm::dot(eye, glm::cross(straight, right)), std::sin(glm::radians(5.0)), 1e-9));
         QVERIFY(near(camera.elevationDeg(), std::min(elevationDeg + 5.0, 180.0 - elevationDeg - 5.0), 1e-6));
-        // A ray still goes through the pixel that it came from.
+        // The ray of a pixel still passes through that pixel.
         camera.lean({15.0, 5.0, 1.25});
         const ui::render::Ray ray = camera.rayThrough({300.0, 200.0});
         QVERIFY(glm::distance(camera.pixelOf(ray.originMm + 30.0 * ray.direction), glm::dvec2(300.0, 200.0)) < 1e-6);
-        // What is looked at stays in the middle, and the picture does not turn in its plane.
+        // The subject stays in the middle, and the picture does not rotate in its plane.
         QVERIFY(glm::distance(camera.pixelOf(kMiddle), glm::dvec2(640.0, 400.0)) < 1e-6);
         camera.lean({15.0, 0.0, 1.0});
         const glm::dvec3 above = kMiddle + 0.5 * glm::cross(straight, right);
         QVERIFY(near(camera.pixelOf(above).x, 640.0, 1e-6));
-        // The mouse turns what lies under the lean.
+        // The mouse turns the camera without the lean.
         camera.turn(-20.0, 0.0);
         camera.lean({});
         QVERIFY(near(camera.azimuthDeg(), -10.0, 1e-9));
@@ -202,7 +202,7 @@ private slots:
         QVERIFY(near(camera.distanceMm(), 40.0, 1e-9));
     }
 
-    /// The head moves before a window: what lies in the plane of the glass stays in its place.
+    /// The head moves in front of the screen as in front of a window: points in the plane of the screen stay in place.
     void theScreenCanBeAWindow()
     {
         Camera camera = molarCamera();
@@ -219,12 +219,12 @@ private slots:
         QVERIFY(glm::distance(camera.pixelOf(onGlass), pixel) < 1e-6);
         const ui::render::Ray ray = camera.rayThrough(pixel);
         QVERIFY(glm::distance(camera.pixelOf(ray.originMm + 33.0 * ray.direction), pixel) < 1e-6);
-        // What is behind the glass goes to the side that the head goes to.
+        // Points behind the screen move in the direction of the head.
         QVERIFY(camera.pixelOf(onGlass + 5.0 * forward).x > pixel.x);
         QVERIFY(camera.pixelOf(onGlass + 5.0 * forward).y > pixel.y);
     }
 
-    /// The names of viewpoints are of the tooth, whichever side of it is up.
+    /// The names of viewpoints refer to the tooth, whichever side of it is up.
     void viewpointsFollowATooth()
     {
         for (const char* side : {"buccal", "lingual", "mesial", "distal"})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts tell their values in words, and give them away as pictures and tables.
+// Charts describe their values in words, and can be exported as pictures and tables.
 #include <QAction>
 #include <QApplication>
 #include <QFile>
@@ -69,7 +69,7 @@ Chart histogram()
     return {"Best scores", "45 people", "Nothing yet", made};
 }
 
-/// All marks and strokes, over logarithmic axes, with a note beside each dot.
+/// Returns a chart with all marks and strokes on logarithmic axes, with a note at each dot.
 Chart logarithmic()
 {
     Curve made;
@@ -154,7 +154,7 @@ private slots:
         QVERIFY(callout()->isVisible() && m_panel->rect().contains(callout()->geometry()));
         for (const Qt::Key key : {Qt::Key_End, Qt::Key_Right})
             QCOMPARE(press(key), QString("Attempt 6: 91 points"));
-        m_panel->setChart(curve());  // the same once more
+        m_panel->setChart(curve());  // the same chart again
         QCOMPARE(m_panel->said(), QString("Attempt 6: 91 points"));
         // If a chart has a band and no lines, the arrow keys step through the band.
         Chart band = curve();
@@ -163,7 +163,7 @@ private slots:
         QCOMPARE(press(Qt::Key_Home), QString("class 1"));
     }
 
-    /// Bars are met at any length, columns at any height.
+    /// Bars can be hit at any length, columns at any height.
     void thePointerFindsEveryValue()
     {
         for (const Chart& chart : {curve(), bars(), histogram()}) {
@@ -228,7 +228,7 @@ private slots:
     void numbersOfTablesKnowNoLanguage()
     {
         QLocale::setDefault(QLocale("de_DE"));
-        // The last bit of a sum is nobody's measure.
+        // The rounding error of a sum is not exported.
         QCOMPARE(csv({{"a"}, {{0.1 + 0.2}}}), "a\r\n0.3\r\n");
         const QByteArray text = csv({{"a", "b", "c"}, {{-1234.5, std::int64_t{-1234567}, qQNaN()}}});
         QLocale::setDefault(QLocale("en_GB"));
@@ -250,7 +250,7 @@ private slots:
         Chart chart = curve();
         auto& content = std::get<Curve>(chart.content);
         content.lines = {Line{{}, {Dot{1.0, 48.5, {}, 0}}, Mark::Circle, false}};
-        QVERIFY(!csv(tableOf(chart)).contains("\r\n,"));  // the band says it already
+        QVERIFY(!csv(tableOf(chart)).contains("\r\n,"));  // the band already has these values
         QVERIFY(!csv(tableOf(chart)).contains("48.5"));
         content.band = {};
         QVERIFY(csv(tableOf(chart)).contains("\r\nPoints,1,48.5\r\n"));
@@ -293,7 +293,7 @@ private slots:
         QVERIFY(callout()->text().startsWith("small.csv could not be written"));
     }
 
-    /// The marks of the first line are there, in the theme's colour.
+    /// The marks of the first line are drawn in the colour of the theme.
     void picturesShowSomethingInBothThemes()
     {
         for (const auto theme : {ui::kit::ThemeChoice::Light, ui::kit::ThemeChoice::Dark})
@@ -328,7 +328,7 @@ private slots:
         QTest::newRow("labels") << labelled << QStringList{"Grid", "small", "large"};
     }
 
-    /// Words as a drawing has them; pictures have ink where it has lines, and none at their edges.
+    /// Checks the words of the drawing. Pictures must have ink where the drawing has lines, and none at their edges.
     void everythingIsDrawn()
     {
         QFETCH(Chart, chart);
@@ -354,7 +354,7 @@ private slots:
         QCOMPARE(plot.xAt(plot.at(30.0, 1.0).x()), 30.0);
         plot = plotOf(histogram(), {0.0, 0.0, 500.0, 400.0});
         QCOMPARE(plot.at(50.0, 5.0), plot.px.center());
-        // A mark on the edge is seen whole.
+        // A mark on the edge is visible completely.
         Chart edge = curve();
         std::get<Curve>(edge.content).lines[1].dots[0].y = 100.0;
         plot = plotOf(edge, {0.0, 0.0, 500.0, 400.0});
@@ -376,7 +376,7 @@ private slots:
         QVERIFY(told.contains("Year 1, Decay on 36"));
         QVERIFY(told != svg(histogram()));
         m_panel->setChart(mine);
-        QVERIFY(!m_panel->findChild<QLabel*>("chartTitle")->text().contains("Year"));  // the page says so itself
+        QVERIFY(!m_panel->findChild<QLabel*>("chartTitle")->text().contains("Year"));  // the page itself names it
         m_panel->findChild<QAction*>("saveCSV")->trigger();
         auto* dialog = m_panel->findChild<QFileDialog*>();
         QVERIFY(dialog != nullptr);
@@ -394,8 +394,8 @@ private slots:
         const QStringList folded = namesIn({450.0, 290.0});
         QCOMPARE(folded[0].simplified(), name);
         QCOMPARE(folded[0].count('\n'), 1);
-        QCOMPARE(QString(folded[1]).remove('\n'), japanese);  // no space to break it at
-        // One line: the beginning and the end are there.
+        QCOMPARE(QString(folded[1]).remove('\n'), japanese);  // it has no spaces at which it could break
+        // If there is room for one line only, the beginning and the end are shown.
         const QString cut = namesIn({450.0, 150.0})[0];
         QVERIFY2(cut.contains(u'…') && cut.startsWith("Ges") && cut.endsWith("fernt") && !cut.contains('\n'),
                  qPrintable(cut));
@@ -411,7 +411,7 @@ private slots:
         const auto shown = std::get<Bars>(fitted(many, 4).content).bars;
         QCOMPARE(shown.size(), 4);
         QCOMPARE(shown.back().name, QString("and 17 more"));
-        // As many as there is room for when it comes.
+        // The panel shows as many values as there is room for.
         m_panel->setChart(many);
         const auto stops = [this] {
             QTest::keyClick(m_panel.get(), Qt::Key_End);

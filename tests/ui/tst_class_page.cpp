@@ -27,7 +27,8 @@ namespace {
 
 const QDateTime kNow(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC);
 
-/// So many students and lessons. The first student is stuck, the second never came, the third has not begun.
+/// Returns a class of this many students and lessons. The first student needs help, the second has never logged in, the
+/// third has not begun.
 ClassOverview overview(int students, int lessons)
 {
     ClassOverview made{{7}, "DEN101-A", {}, {}, {}};
@@ -93,13 +94,13 @@ private slots:
         QCOMPARE(textOf("needs"), QString("3 need(s) you:"));
         QVERIFY(name(0).contains("stuck") && name(1).contains("no login") && name(2).contains("new"));
         QCOMPARE(name(3), QString("Student 1004"));
-        // The lists lie behind the numbers.
+        // Each number leads to the list of its students.
         button("1 stuck")->click();
         QCOMPARE(students(), 1);
         QVERIFY(name(0).startsWith("Student 1001"));
         button("1 no login")->click();
         QVERIFY(name(0).startsWith("Student 1002") && !button("1 stuck")->isChecked());
-        // Whoever was shown alone has been helped.
+        // When the only student of the list no longer needs help, all students are shown again.
         ClassOverview fine = overview(12, 6);
         fine.students.erase(fine.students.begin(), fine.students.begin() + 3);
         fine.cells.erase(fine.cells.begin(), fine.cells.begin() + 3);
@@ -116,13 +117,13 @@ private slots:
         QCOMPARE(students(), 10);
         QVERIFY(name(0).startsWith("Student 1070"));
         QCOMPARE(textOf("studentsFound"), QString("10 student(s)"));
-        search()->setText("S-1002");  // a user name
+        search()->setText("S-1002");  // a username
         QCOMPARE(students(), 1);
-        // Among those who need the teacher, too.
+        // The search also applies to the students who need help.
         button("1 stuck")->click();
         QCOMPARE(students(), 0);
         button("1 stuck")->click();
-        // In another class nobody is searched for.
+        // Another class is shown without the search.
         showOther(3);
         QVERIFY(search()->text().isEmpty());
         QCOMPARE(students(), 3);
@@ -176,7 +177,7 @@ private slots:
         QVERIFY(search()->text().isEmpty());
     }
 
-    /// Its teacher was taken out of it, or it is another that is chosen now.
+    /// The teacher was removed from the class, or has selected another one.
     void aClassThatIsTakenAwayIsNotShown()
     {
         QSignalSpy wanted(m_page, &ClassPage::classChosen);
@@ -195,7 +196,7 @@ private slots:
     void whatCouldNotBeReadSaysSo()
     {
         const auto refuse = [this] { m_page->refuse([] { return QString("The server does not answer."); }); };
-        refuse();  // of the class that is there
+        refuse();  // the answer for the class that is shown
         QCOMPARE(students(), 12);
         choose("classChooser", 1);
         QCOMPARE(students(), 0);
@@ -204,18 +205,19 @@ private slots:
         QVERIFY2(textOf("classEmpty").startsWith("The server does not answer. F5"), qPrintable(textOf("classEmpty")));
         m_page->readAgain();
         QVERIFY(!textOf("classEmpty").contains("does not answer"));
-        // Others practise at other computers: it is read again when it is shown again.
+        // Students practise at other computers, so the class is read again when the page is shown again.
         QSignalSpy wanted(m_page, &ClassPage::classChosen);
         m_page->hide();
         m_page->show();
         QCOMPARE(wanted.count(), 1);
     }
 
-    /// Overdue or out of attempts, and not passed; before being stuck and being late, which they may be as well.
+    /// A student with an overdue lesson or without attempts left who has not passed. The list gives this precedence
+    /// over needing help and being late.
     void whoIsLateNeedsTheTeacher()
     {
         ClassOverview shown = overview(6, 2);
-        shown.cells[0][0] = {3, 530, false, "2026-11-18T08:00:00Z"};  // stuck
+        shown.cells[0][0] = {3, 530, false, "2026-11-18T08:00:00Z"};  // needs help
         shown.cells[3][0] = {3, 749, false, "2026-11-18T08:00:00Z"};
         shown.cells[4][0] = {1, 800, true, "2026-11-18T08:00:00Z"};
         shown.cells[5][0] = {2, 600, false, "2026-11-18T08:00:00Z"};
@@ -226,13 +228,13 @@ private slots:
         const QStringList expected{"out of tries", "no login", "late", "out of tries", "Student 1005", "late"};
         for (int row = 0; row < expected.size(); ++row)
             QVERIFY2(name(row).contains(expected[row]), qPrintable(name(row)));
-        QCOMPARE(cell(3, 1), QString("74"));  // not passed is not rounded up
+        QCOMPARE(cell(3, 1), QString("74"));  // a failing score is not rounded up to the pass mark
         QVERIFY2(tip(3).contains("no attempts left"), qPrintable(tip(3)));
         QVERIFY2(tip(5).contains("overdue"), qPrintable(tip(5)));
         QVERIFY(matrix()->model()->headerData(2, Qt::Horizontal).toString().endsWith("due 27 Nov"));
         button("2 out of tries")->click();
         QCOMPARE(students(), 2);
-        button("5 late")->click();  // all but the one who has passed
+        button("5 late")->click();  // all but the student who has passed
         QCOMPARE(students(), 5);
     }
 
@@ -264,7 +266,7 @@ private slots:
         QVERIFY2(!name(3).contains("out of tries"), qPrintable(name(3)));
         begun.begunUtc = "2026-11-20T08:20:00Z";
         QVERIFY(hasNoneLeft(3));
-        // The student's attempts say when it was begun.
+        // The student's attempts show when the exam was begun.
         QSignalSpy wanted(m_page, &ClassPage::attemptsRequested);
         matrix()->setCurrentIndex(matrix()->model()->index(3, 1));
         QTest::keyClick(matrix(), Qt::Key_Return);
@@ -313,7 +315,7 @@ private slots:
         matrix()->sortByColumn(0, Qt::DescendingOrder);
         QCOMPARE(cell(0, 0), QString("today"));
         QCOMPARE(cell(11, 0), QString("–"));
-        // The third click on a head is by name again.
+        // The third click on a heading sorts by name again.
         QHeaderView* heads = matrix()->horizontalHeader();
         const QPoint at(heads->sectionViewportPosition(1) + 20, 20);
         for (int k = 0; k < 3; ++k)
@@ -333,12 +335,12 @@ private slots:
         QCOMPARE(wanted.count(), 1);
         QCOMPARE(wanted[0], (QVariantList{qint64{103}, "lesson-10"}));
         click(4, 1);  // not tried
-        click(1, 1);  // never came
+        click(1, 1);  // has never logged in
         QCOMPARE(wanted.count(), 1);
         click(3, 0);
         click(1, 0);
         QCOMPARE(student.count(), 1);
-        // With the keys, too.
+        // The keyboard works as well.
         matrix()->setCurrentIndex(matrix()->model()->index(2, 1));
         matrix()->setFocus();
         for (const Qt::Key key : {Qt::Key_Down, Qt::Key_Right, Qt::Key_Return})
@@ -355,17 +357,17 @@ private slots:
         choose("lessonChooser", 1);
         QCOMPARE(chosen.count(), 1);
         QCOMPARE(chosen[0][0].toString(), QString("lesson-11"));
-        m_page->setOverview(overview(12, 6), kNow);  // asked again: the same lesson
+        m_page->setOverview(overview(12, 6), kNow);  // read again: the same lesson
         QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
         QSignalSpy classes(m_page, &ClassPage::classChosen);
         choose("classChooser", 1);
         QCOMPARE(classes.count(), 1);
         QCOMPARE(classes[0][0].toLongLong(), 8);
-        showOther(4);  // to be compared
+        showOther(4);  // for comparison
         QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
     }
 
-    /// Ten columns of ten points: a score on the border is in the upper one, and all points are in the last.
+    /// Ten columns of ten points: a score on the border counts in the upper column, and the maximum in the last.
     void eachBestScoreIsInItsColumn()
     {
         const auto isTold = [this](const char* name) {
@@ -387,13 +389,13 @@ private slots:
         for (const auto& bin : std::get<ui::charts::Histogram>(distribution.content).bins)
             counts << bin.count;
         QCOMPARE(counts, (QList<int>{2, 1, 0, 0, 1, 1, 0, 1, 0, 2}));
-        // The learning curve: what half and the middle half of them reached, attempt by attempt.
+        // The learning curve: median and quartiles, attempt by attempt.
         const auto learning = chart("learning");
         const auto& slices = std::get<ui::charts::Curve>(learning.content).band.slices;
         QCOMPARE(slices.size(), 2);
         QCOMPARE((QList<double>{slices[0].low, slices[0].middle, slices[0].high, slices[1].middle}),
                  (QList<double>{32.5, 50.5, 71.9, 64.0}));
-        // An answer about another lesson comes too late.
+        // An answer for another lesson arrives too late.
         choose("lessonChooser", 1);
         m_page->setResults(results(23), 750, {});
         QVERIFY(!isTold("distribution"));
@@ -427,7 +429,7 @@ private:
         return matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString();
     }
     [[nodiscard]] ui::charts::Chart chart(const char* panel) const { return child<ChartPanel>(panel)->chart(); }
-    /// Another class of so many students is shown.
+    /// Shows another class of this many students.
     void showOther(int size)
     {
         ClassOverview other = overview(size, 6);

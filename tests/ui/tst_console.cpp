@@ -34,7 +34,7 @@ using core::settings::FeelPreset;
 
 namespace {
 
-/// A console on what the window registers, with a feel of its own.
+/// A console with the commands that the window registers, and a preset of its own.
 struct Room
 {
     QWidget window;
@@ -76,7 +76,7 @@ struct Room
         page->show();
         return page;
     }
-    /// What a command answers.
+    /// Returns the output of a command.
     QString answer(const QString& command)
     {
         auto* output = console.findChild<QPlainTextEdit*>("consoleOutput");
@@ -104,7 +104,7 @@ private slots:
         QLocale::setDefault(before);
         QCOMPARE(german, QString("force.stiffness = 1,5 N/mm"));
         QCOMPARE(again, QString("force.stiffness = 1,25 N/mm"));
-        // However long a name is, its value stands apart.
+        // The value is separated from a name of any length.
         for (const QString& line : room.answer("list hardness").split('\n'))
             QVERIFY2(line.contains("  "), qPrintable(line));
     }
@@ -163,8 +163,8 @@ private slots:
         room.feel.hash = std::string(64, 'a');
         room.answer("set hardness.enamel.rate 1.25");
         QCOMPARE(room.feel.enamelRate, 1.25);
-        QVERIFY(room.feel.hash.empty());  // no longer what its version says
-        // A stiffness that only holds with more damping goes back with it, in whatever order they stand.
+        QVERIFY(room.feel.hash.empty());  // it differs from the saved version
+        // A stiffness that is stable only with more damping is reset together with the damping, in either order.
         room.answer("set force.damping 15");
         room.answer("set force.stiffness 5.5");
         QCOMPARE(room.feel.stiffnessNPerMm, 5.5);
@@ -208,7 +208,7 @@ private slots:
             QTest::keyClicks(&room.line(), begun);
             QTest::keyClick(&room.line(), Qt::Key_Tab);
             QCOMPARE(room.line().text(), becomes);
-            // What is typed next must not be taken for shortcuts.
+            // The keys typed next must not act as shortcuts.
             QCOMPARE(room.line().window()->focusWidget(), static_cast<QWidget*>(&room.line()));
         }
     }
@@ -246,7 +246,7 @@ private slots:
         QVERIFY(room.panel.testAttribute(Qt::WA_TransparentForMouseEvents));
         room.panel.forget("live.force");
         QVERIFY(room.panel.watch("live.force", true));
-        // Ten seconds of it and no more.
+        // The plot holds ten seconds.
         const double begin = 1.0e6;
         for (int k = 0; k <= 300; ++k) {
             room.servo.forceN = glm::dvec3(0.0, 0.0, 0.01 * k);
@@ -256,7 +256,7 @@ private slots:
         QCOMPARE(values.size(), std::size_t{101});
         QVERIFY(std::abs(values.front() - 2.0) < 1.0e-9 && std::abs(values.back() - 3.0) < 1.0e-9);
         QVERIFY(!room.panel.grab().isNull());
-        // And can be saved, whatever the language, as a table where nothing else is said.
+        // The plot can be saved in any language; without an extension it is saved as a table.
         const QTemporaryDir folder;
         QVERIFY(room.answer("export live.force " + folder.filePath("a force")).contains("a force.csv"));
         QFile table(folder.filePath("a force.csv"));
@@ -302,7 +302,7 @@ private slots:
         QVERIFY(room.answer("save second year").contains("kept"));
         QVERIFY(room.answer("load natural v1").contains("felt"));
         QCOMPARE(asked, (QStringList{"save second year", "load natural v1"}));
-        // Names of presets have spaces.
+        // Names of presets may contain spaces.
         QCOMPARE(room.console.completed("load s"), "load second year");
         QCOMPARE(room.console.completed("load second year, "), "load second year, soft ");
         QCOMPARE(room.console.completed("save th"), "save Third ");
@@ -316,7 +316,7 @@ private slots:
         core::servo::ServoState state;
         std::int64_t now = 1'000'000'000;
         std::size_t next = 0;
-        // 16 poses at a time, of which half have been seen before; one period in fifty is three times as long.
+        // Each frame has 16 poses, of which half were in the frame before. One period in fifty is three times as long.
         int tick = 0;
         for (int frame = 0; frame < 200; ++frame) {
             for (int k = 0; k < 8; ++k) {
@@ -365,7 +365,7 @@ private slots:
         QVERIFY(none->isVisible());
         search->setText("lang");
         QVERIFY(!none->isVisible() && page->findChild<QComboBox*>("language")->isVisible());
-        // The colour of the pages is remembered for the next start.
+        // The theme is saved for the next start.
         auto* theme = page->findChild<QComboBox*>("theme");
         theme->setCurrentIndex(2);
         emit theme->activated(2);
@@ -383,7 +383,7 @@ private slots:
         auto* fault = page->findChild<QLabel*>("settingsFault");
         stiffness->setValue(9.0);
         QVERIFY2(fault->isVisible() && fault->text().contains("5.35 N/mm"), qPrintable(fault->text()));
-        QCOMPARE(stiffness->value(), 2.0);  // as it is
+        QCOMPARE(stiffness->value(), 2.0);  // its current value
         stiffness->setValue(2.2);
         QVERIFY(!fault->isVisible());
     }
@@ -395,7 +395,7 @@ private slots:
         room.console.setPresets([&](const QString& name) { return kept = name; }, {}, {});
         const FeelPreset known = room.feel;
         room.feel = presets::veiled(known);
-        // Neither the number, nor whether it is this one, nor how far it is from the bound.
+        // The console reveals neither the value, nor whether it is this one, nor its distance from the bound.
         for (const char* command : {"get force.stiffness", "force.stiffness", "set force.stiffness 2",
                                     "set force.stiffness 9", "save leak", "reset force.stiffness"})
             QVERIFY2(room.answer(command).contains("blind comparison"), command);
@@ -436,7 +436,7 @@ private slots:
         QVERIFY(room.answer("list live.depth").contains("–"));
         room.line().setText("get live.depth");
         QVERIFY(room.console.findChild<QLabel*>("consoleHint")->text().startsWith("–"));
-        // What was watched before shows nothing, nor what it was a moment ago.
+        // Values watched before are no longer shown, including past ones.
         room.panel.sample(1.0e9);
         for (const double value : room.panel.plotted("live.depth"))
             QVERIFY(std::isnan(value));
@@ -453,14 +453,14 @@ private slots:
         auto* output = room.console.findChild<QPlainTextEdit*>("consoleOutput");
         const auto* bar = output->verticalScrollBar();
         for (int k = 0; k < 8; ++k) {
-            // A long help under the output takes a line of it away.
+            // A long help text below takes a line from the output.
             QTest::keyClicks(&room.line(), "get hardness.enamel.rate");
             QApplication::processEvents();
             QTest::keyClick(&room.line(), Qt::Key_Return);
             QApplication::processEvents();
             QCOMPARE(bar->value(), bar->maximum());
         }
-        // And the keys turn them over.
+        // The Page Up and Page Down keys scroll the output.
         QTest::keyClick(&room.line(), Qt::Key_PageUp);
         QVERIFY(bar->value() < bar->maximum());
         QTest::keyClick(&room.line(), Qt::Key_PageDown);
@@ -534,13 +534,13 @@ private slots:
         QVERIFY2(said().contains(QLocale().toString(high) + " N/mm can be entered here.") &&
                      said().endsWith("N/mm stays."),
                  qPrintable(said()));
-        // What fits is taken, and nothing is said of it.
+        // A value in range is accepted without a message.
         number->selectAll();
         QTest::keyClicks(number, "3");
         QTest::keyClick(number, Qt::Key_Return);
         QCOMPARE(number->value(), 3.0);
         QVERIFY2(said().isEmpty(), qPrintable(said()));
-        // Nor does the part that fits stay where the field is left.
+        // A partly typed value is discarded when the field loses the focus.
         number->selectAll();
         QTest::keyClicks(number, typed);
         number->clearFocus();

@@ -99,7 +99,7 @@ private slots:
         m_page->setKinds({arm()});
         m_page->setChosen(kArm);
         m_page->show();
-        // As the window has it: a key pressed on this page is none of the tooth's.
+        // As in the window, the shortcuts of the tooth are disabled on this page.
         for (QAction* action : {m_actions->drill, m_actions->pauseReplay, m_actions->slower, m_actions->faster})
             action->setEnabled(false);
     }
@@ -260,7 +260,7 @@ private slots:
         push->setFocus();
         QTest::keyPress(push, Qt::Key_Space);
         QVERIFY(glm::length(m_page->testForce()) > 0.0);
-        // A device that is lost takes no force, whatever is held down.
+        // A lost device receives no force, even while a key is held.
         m_page->setReport(kArm, at(DeviceStage::Silent));
         QVERIFY(m_page->testForce() == glm::dvec3(0.0));
         QTest::keyRelease(push, Qt::Key_Space);
@@ -390,7 +390,7 @@ private slots:
         QCOMPARE(opened.back().front().toBool(), true);
     }
 
-    /// For somebody to look at, where CUSP_PICTURES is set.
+    /// Draws every state for inspection, if CUSP_PICTURES is set.
     void everyStateCanBeDrawn_data()
     {
         QTest::addColumn<bool>("isDark");
@@ -411,7 +411,7 @@ private slots:
         m_window->resize(size);
         m_page->resize(size);
         const auto draw = [&](const QString& name) {
-            for (int n = 0; n < 3; ++n)  // what is laid out may lay out more
+            for (int n = 0; n < 3; ++n)  // a layout may trigger another one
                 QCoreApplication::processEvents();
             const QImage image = m_window->grab().toImage();
             pictures::keep(
@@ -444,7 +444,7 @@ private slots:
 
 private:
     [[nodiscard]] HandList& hands() const { return *child<HandList>(); }
-    /// No card is wider than the place where the cards are, which scrolls up and down only.
+    /// Returns whether no card is wider than the scroll area, which scrolls only vertically.
     [[nodiscard]] bool isWhollyShown() const
     {
         for (const char* name : {"rule", "homing", "liveTest", "firmware", "setup"})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time of a lesson runs while the student works, and ends once.
+// The clock of a timed lesson runs while the student works, and ends once.
 #include <QTest>
 
 #include "tests/support/Suite.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file dialog shows the folder of the school's file, and SQLite's locks on it stay.
+// A file dialog shows the folder of the database file, and SQLite's locks on the file stay.
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
@@ -32,7 +32,7 @@ struct flock wholeFile(short type)
     return lock;
 }
 
-/// Whether another process finds a lock on the file; a process does not see its own.
+/// Returns whether another process finds a lock on the file; a process does not see its own locks.
 bool isLockedForOthers(const QString& path)
 {
     const QByteArray name = QFile::encodeName(path);
@@ -66,13 +66,13 @@ private slots:
         QVERIFY(isLockedForOthers(path));
         ui::kit::FileDialog dialog(nullptr, "Choose", folder.path());
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
-        dialog.setViewMode(QFileDialog::Detail);  // which tells what kind of file it is
+        dialog.setViewMode(QFileDialog::Detail);  // shows the type of each file
         dialog.show();
         auto* model = dialog.findChild<QFileSystemModel*>();
         QVERIFY(model != nullptr);
         QTRY_COMPARE(model->rowCount(model->index(folder.path())), 2);
         QTRY_VERIFY(!model->index(path).siblingAtColumn(2).data().toString().isEmpty());
-        // The dialog has looked at all it will look at when it has told of a file that came later.
+        // When the dialog shows the type of a file that was created later, it has examined all files.
         const QString later = folder.filePath("later.sqlite");
         support::write(later, "SQLite format 3");
         QTRY_COMPARE(model->rowCount(model->index(folder.path())), 3);
@@ -99,11 +99,11 @@ private slots:
         const auto second = ask();
         QCOMPARE(second->selectedFiles(), QStringList{stick.filePath("Time Decay 36.csv")});
         second->reject();
-        QVERIFY(QDir(stick.path()).removeRecursively());  // pulled out meanwhile
+        QVERIFY(QDir(stick.path()).removeRecursively());  // the drive was unplugged meanwhile
         QCOMPARE(ask()->selectedFiles(), QStringList{documents.filePath("Time Decay 36.csv")});
     }
 
-    /// Nor through a link; and a new file, or one of the kind that is saved, is taken.
+    /// A link to a file of another type is refused as well. A new file, or one of the saved type, is accepted.
     void replacesNothingOfAnotherKind()
     {
         const QTemporaryDir settings, folder;
@@ -153,7 +153,7 @@ private slots:
             QTRY_COMPARE(cell(1, 0), QString("a.csv"));
             QTRY_COMPARE(cell(1, 1), QString(size));
             QCOMPARE(cell(1, 3), QString(date));
-            QCOMPARE(cell(0, 1), QString());  // a folder's
+            QCOMPARE(cell(0, 1), QString());  // of a folder
         }
         QLocale::setDefault(before);
     }

@@ -25,7 +25,7 @@ struct Maps
     std::vector<float> bottoms = std::vector<float>(kFlankGrid.count(), core::terrain::kEmptyBottom);
 };
 
-/// A body turned about its middle: heights by the distance from there.
+/// Returns a body of revolution: heights by the distance from its axis.
 template <class Top, class Bottom>
 Maps turned(double radiusMm, Top&& top, Bottom&& bottom)
 {
@@ -47,7 +47,7 @@ class TestFlanks : public QObject
     Q_OBJECT
 
 private slots:
-    /// What is found from heights at nodes is compared with the ball's own normal at the same height.
+    /// Compares the normals computed from heights at nodes with those of the ball at the same height.
     void normalsAreThoseOfABall()
     {
         constexpr double kRadiusMm = 4.5;
@@ -76,8 +76,8 @@ private slots:
         QVERIFY2(worst < 0.05, qPrintable(QString::number(worst)));
     }
 
-    /// A crown on a neck that falls by 0.5 mm a cell: where what is drawn of the underside crosses the junction, it
-    /// does so at the height of the line, though no two columns beside it are less than half a millimetre apart.
+    /// A crown on a neck that falls by 0.5 mm per cell. The drawn underside must cross the junction at the height of
+    /// the line, although neighbouring columns are at least half a millimetre apart.
     void enamelEndsAtOneHeight()
     {
         constexpr double kNeckMm = 3.0;

@@ -107,7 +107,7 @@ private slots:
     {
         click("openHandGuide");
         QVERIFY(child<QRadioButton>("rightHand")->isChecked());
-        // The action cannot be triggered outside the room.
+        // Outside the practice room the action is disabled.
         m_actions->otherHand->setEnabled(false);
         child<QRadioButton>("leftHand")->click();
         QVERIFY(m_actions->otherHand->isChecked());
@@ -128,7 +128,7 @@ private slots:
         const auto setup = changed.front().back().value<DeviceSetup>();
         QVERIFY(setup == (DeviceSetup{DeviceSetup::Stand::OnItsBack, DeviceSetup::Side::Left, 2.0, 12.0}));
         QVERIFY(textOf("restHeight").contains("12 mm above"));
-        // From now on the device reports the bur at the top of the tooth there.
+        // From now on the device reports a bur at the top of the tooth at this height.
         m_page->setReport(kGuideArm, gripAt(-10.0F));
         QVERIFY2(textOf("gripHeight").contains("8 mm below"), qPrintable(textOf("gripHeight")));
         click("middleHeight");
@@ -197,7 +197,7 @@ private slots:
         click("guideNext");
         QVERIFY(textOf("guideHelp").contains(result));
         QVERIFY(textOf("guideHelp").contains("Test Arm"));
-        // The guide begins anew without it.
+        // Opened again, the guide starts without it.
         click("guideNext");
         click("openHandGuide");
         for (int step = 1; step < kStepsOfGuide; ++step)
@@ -248,7 +248,7 @@ private slots:
         const auto setup = changed.back().back().value<DeviceSetup>();
         QCOMPARE(setup.scale, 2.5);
         QCOMPARE(setup.restMm, core::session::reachableRestMm(30.0, 2.5));
-        QCOMPARE(child<QDoubleSpinBox>("scale")->value(), 2.5);  // the page of devices shows the change
+        QCOMPARE(child<QDoubleSpinBox>("scale")->value(), 2.5);  // the devices page shows the change
     }
 
     void everyStateCanBeDrawn_data()
@@ -269,7 +269,7 @@ private slots:
         m_window->resize(size);
         m_page->resize(size);
         const auto draw = [&](const QString& name) {
-            for (int n = 0; n < 3; ++n)  // what is laid out may lay out more
+            for (int n = 0; n < 3; ++n)  // a layout may trigger another one
                 QCoreApplication::processEvents();
             const QImage image = m_window->grab().toImage();
             pictures::keep(
@@ -327,8 +327,8 @@ private:
         for (int k = 0; k < step; ++k)
             click("guideNext");
     }
-    /// Holds still for the whole time, on a clock of its own.
-    /// @param move  called before each look
+    /// Runs the stillness test to its end on a simulated clock.
+    /// @param move  called before each reading
     template <class Move>
     void runTest(const Move& move) const
     {

@@ -38,7 +38,7 @@ const std::vector<CameraInfo> kCameras{{0, "Built-in camera"}, {2, "Camera on th
 constexpr TagPicture::Corners kCorners{glm::dvec2(780.0, 330.0), glm::dvec2(905.0, 345.0), glm::dvec2(900.0, 220.0),
                                        glm::dvec2(772.0, 210.0)};
 
-/// A room that gets lighter to the right, and a head with a tag on it.
+/// Returns a picture of a room that gets lighter to the right, with a tag on a head.
 core::tracking::Picture room(int width = 1280, int height = 720)
 {
     core::tracking::Picture picture;
@@ -106,7 +106,7 @@ private slots:
         m_page->show();
         child<HandList>()->selectHand(ui::devices::kHeadTracking);
         card().setCameras(kCameras);
-        // As the window has it: a key pressed on this page is none of the tooth's.
+        // As in the window, the shortcuts of the tooth are disabled on this page.
         for (QAction* action : {m_actions->drill, m_actions->pauseReplay, m_actions->slower, m_actions->faster})
             action->setEnabled(false);
     }
@@ -208,12 +208,12 @@ private slots:
         const QString withTag = picture().accessibleName();
         TrackerReport lost = at(TrackerStage::NoTag);
         lost.picture = room();
-        lost.tag.tag.cornersPx = kCorners;  // as seen last
+        lost.tag.tag.cornersPx = kCorners;  // where it was seen last
         card().setTracking(lost);
         QVERIFY(picture().hasPicture());
         QVERIFY(picture().outline().isEmpty());
         QVERIFY(picture().accessibleName() != withTag);
-        // A report without a picture changes the figures only.
+        // A report without a picture changes only the values.
         TrackerReport blind = tracking();
         blind.picture = {};
         card().setTracking(blind);
@@ -408,7 +408,7 @@ private slots:
         card().setTracking(report);
         QVERIFY(textOf("deviceHelp") != help);
         QVERIFY(textOf("deviceHelp").contains("14"));
-        // A video has the rate that it was taken with.
+        // A video is played at the rate of its recording.
         HeadTrackingSettings video = card().settings();
         video.video = "/tmp/head.mp4";
         card().setSettings(video);
@@ -444,7 +444,7 @@ private slots:
         QVERIFY(child<QComboBox>("pictureSize")->isEnabled());
     }
 
-    /// For somebody to look at, where CUSP_PICTURES is set.
+    /// Draws every state for inspection, if CUSP_PICTURES is set.
     void everyStateCanBeDrawn_data()
     {
         QTest::addColumn<bool>("isDark");
@@ -463,7 +463,7 @@ private slots:
         m_window->resize(size);
         m_page->resize(size);
         const auto draw = [&](const QString& name) {
-            for (int n = 0; n < 3; ++n)  // what is laid out may lay out more
+            for (int n = 0; n < 3; ++n)  // a layout may trigger another one
                 QCoreApplication::processEvents();
             const QImage image = m_window->grab().toImage();
             pictures::keep(image, QStringLiteral("head-tracking-%1-%2-%3")
@@ -507,13 +507,13 @@ private:
         settings.isOn = true;
         card().setSettings(settings);
     }
-    /// As a user chooses an entry.
+    /// Selects an entry as the user does.
     static void choose(QComboBox& list, int entry)
     {
         list.setCurrentIndex(entry);
         emit list.activated(entry);
     }
-    /// No card is wider than the place where the cards are, which scrolls up and down only.
+    /// Returns whether no card is wider than the scroll area, which scrolls only vertically.
     [[nodiscard]] bool isWhollyShown() const
     {
         for (const char* name : {"trackingLive", "trackingSetup"})

@@ -50,7 +50,7 @@ private slots:
 
     void aLaneIsTakenAgain()
     {
-        // The branch off 1 ends before the one off 3 begins.
+        // The branch from 1 ends before the one from 3 begins.
         QCOMPARE(lanes(historyRows(tree({0, 1, 1, 2, 4, 4}))), (QList<int>{0, 0, 1, 0, 0, 1}));
     }
 
@@ -67,7 +67,7 @@ private slots:
             for (std::size_t n = 0; n < rows.size(); ++n) {
                 for (const auto* lines : {&rows[n].fromAbove, &rows[n].toBelow})
                     QCOMPARE(std::set<int>(lines->begin(), lines->end()).size(), lines->size());
-                // A line that leaves a row arrives at the next.
+                // A line that leaves a row arrives at the next row.
                 const std::set<int> below(rows[n].toBelow.begin(), rows[n].toBelow.end());
                 if (n + 1 < rows.size())
                     QCOMPARE(below, std::set<int>(rows[n + 1].fromAbove.begin(), rows[n + 1].fromAbove.end()));
@@ -75,13 +75,13 @@ private slots:
                     QVERIFY(below.empty());
                 if (n == 0)
                     continue;
-                // Each moment hangs on its parent: its lane runs from there to it.
+                // Each moment is connected to its parent: its lane begins there and ends at the moment.
                 const auto parent = static_cast<std::size_t>(rows[n].parent);
                 QCOMPARE(rows[n].parent, static_cast<int>(parents[n]) - 1);
                 for (std::size_t row = parent; row < n; ++row)
                     QVERIFY(std::find(rows[row].toBelow.begin(), rows[row].toBelow.end(), rows[n].lane) !=
                             rows[row].toBelow.end());
-                // And nobody else stands in that lane between.
+                // No other moment is in that lane in between.
                 for (std::size_t row = parent + 1; row < n; ++row)
                     QVERIFY(rows[row].lane != rows[n].lane);
             }

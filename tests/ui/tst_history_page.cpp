@@ -17,7 +17,7 @@ using ui::people::HistoryPage;
 
 namespace {
 
-/// So many attempts at three lessons in turn, newest first, better and quicker each time.
+/// Returns this many attempts at three lessons in turn, newest first, each better and faster than the one before.
 QList<AttemptRecord> attemptRecords(int count)
 {
     QList<AttemptRecord> made;
@@ -73,7 +73,7 @@ private slots:
         QCOMPARE(table()->model()->rowCount(), 30);
         QCOMPARE(m_page->chosen(), 30);
         QCOMPARE(cell(0, 1), QString("Pad: cross"));
-        // What is chosen stays.
+        // The selection is preserved.
         table()->selectRow(7);
         const auto kept = m_page->chosen();
         m_page->setHistory(attemptRecords(31));
@@ -92,14 +92,14 @@ private slots:
         QCOMPARE(lesson.front().front().toString(), QString("c1-36"));
         QCOMPARE(table()->model()->rowCount(), 400);
         QCOMPARE(ui::charts::stopsOf(scores()).back().x, 400.0);
-        QCOMPARE(scores().of, QString("Class I on 36"));  // told in files
+        QCOMPARE(scores().of, QString("Class I on 36"));  // the title is from the lesson's file
         m_page->setLesson({});
         QCOMPARE(table()->model()->rowCount(), 1200);
     }
 
     void everyAttemptHasAPlaceOfItsOwn()
     {
-        // Three lessons on one morning: along a day they would lie on top of each other.
+        // Three lessons on the same morning. On an axis of days their points would overlap.
         QList<AttemptRecord> some = attemptRecords(9);
         for (AttemptRecord& one : some)
             one.finishedUtc = "2026-09-01T09:00:00Z";
@@ -133,8 +133,8 @@ private slots:
     void listsAreSortedByKeys()
     {
         QList<AttemptRecord> some = attemptRecords(9);
-        some[3].durationMs = 3'700'000;  // "1:01:40" is more than "9:59"
-        some[4].scoreTenths = 1000;      // and "100.0" more than "99.0"
+        some[3].durationMs = 3'700'000;  // "1:01:40" sorts after "9:59"
+        some[4].scoreTenths = 1000;      // and "100.0" after "99.0"
         some[5].meanForceMn = 10'500;
         m_page->setHistory(some);
         const auto* heads = table()->horizontalHeader();
@@ -145,7 +145,7 @@ private slots:
             QTest::keyClick(table(), Qt::Key_Down, Qt::AltModifier);
             QCOMPARE(heads->sortIndicatorOrder(), Qt::DescendingOrder);
             table()->selectRow(0);
-            if (column == 2 || column >= 4)  // by their values
+            if (column == 2 || column >= 4)  // sorted by value
                 QCOMPARE(m_page->chosen(), some[column == 2 ? 4 : column - 1 + (column == 5 ? 1 : 0)].id);
         }
         QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);
@@ -163,7 +163,7 @@ private slots:
         QCOMPARE(slices(), 0);
         m_page->setBand(band(5));
         QCOMPARE(slices(), 8);
-        m_page->setLesson("decay-26");  // it was of the other lesson
+        m_page->setLesson("decay-26");  // the selection belonged to the other lesson
         QCOMPARE(slices(), 0);
         m_page->setClassMedians(ui::scoring::ClassMedians{4, 700, 600'000});
         for (auto* button : m_page->findChildren<QPushButton*>())
@@ -195,7 +195,7 @@ private slots:
         QTest::keyClick(score, Qt::Key_Home);
         QTest::keyClick(score, Qt::Key_Return);
         QCOMPARE(opened.takeFirst().front().toLongLong(), 1);
-        // Without a recording there is no replay, but its score sheet.
+        // An attempt without a recording has no replay, but it has a score sheet.
         table()->selectRow(29);
         QVERIFY(!replay->isEnabled() && child<QLabel>("recordingMissing")->isVisible());
         QVERIFY(child<QPushButton>("openAttempt")->isEnabled());
@@ -219,7 +219,7 @@ private slots:
             one.criteria = {{"caries_left", 300, 300}, {"pulp_opened", 609, 0}, {"pulp_grazed", 0, 0}};
         m_page->setHistory(some);
         const auto bars = std::get<ui::charts::Bars>(other().content);
-        QCOMPARE(bars.bars.size(), 2);  // a limit that was kept costs nothing
+        QCOMPARE(bars.bars.size(), 2);  // a criterion without a loss has no bar
         QCOMPARE(bars.bars[0].value, 60.9);
         QCOMPARE(bars.bars[1].value, 30.0);
         QVERIFY2(bars.bars[0].words.endsWith(": 60.9 points lost"), qPrintable(bars.bars[0].words));
@@ -239,12 +239,12 @@ private slots:
         QCOMPARE(bars().size(), 3);
         QCOMPARE(bars()[0].words, QString("Part of the ideal: 20.0 points lost"));
         QCOMPARE(bars()[1].words, QString("Part of the opening: 10.0 points lost"));
-        QCOMPARE(bars()[2].words, QString("Walls: 5.0 points lost"));  // of two lessons, told once
+        QCOMPARE(bars()[2].words, QString("Walls: 5.0 points lost"));  // common to two lessons, shown once
         m_page->setLesson("decay-26");
         QCOMPARE(bars()[0].name, QString("Part of the opening"));
     }
 
-    /// The lessons were read after the attempts.
+    /// The titles of lessons may arrive after the attempts.
     void examsWithoutAScoreHaveTheirTitle()
     {
         m_page->setLessonTitles({});
@@ -257,7 +257,7 @@ private slots:
 
 private:
     [[nodiscard]] ui::charts::Chart scores() const { return child<ChartPanel>("scoreChart")->chart(); }
-    /// What the chart beside it shows.
+    /// Returns the chart next to it.
     [[nodiscard]] ui::charts::Chart other() const { return child<ChartPanel>("otherChart")->chart(); }
     [[nodiscard]] QTableView* table() const { return child<QTableView>("attempts"); }
     [[nodiscard]] QString cell(int row, int column) const

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program that nobody uses says so after its time.
+// After some time without input, the idle lock reports that the program is idle.
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is painted of a tooth's inside: sections and X-ray pictures, without a window where none is needed.
+// Pictures of the inside of a tooth: sections and X-ray pictures, without a window where none is needed.
 #include <QApplication>
 #include <QImage>
 #include <QPainter>
@@ -38,7 +38,7 @@ namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2.0;
 
-/// 6.4 mm wide: enamel from 0 to -2, dentin to -10, pulp from -7 to -5 over the whole of it.
+/// Returns a block 6.4 mm wide: enamel from 0 to -2, dentin to -10, pulp from -7 to -5 throughout.
 std::shared_ptr<core::terrain::ToothAnatomy> block()
 {
     auto anatomy = support::slab(-2.0F);
@@ -128,7 +128,7 @@ private slots:
         QFETCH(double, pixelRatio);
         const Tooth tooth(block());
         const QImage image = painted(sceneOf(tooth, {{0.0, 0.0}, angleRad}), pixelRatio);
-        // The widths of the block and of its layers have one scale. Grid lines take a pixel in each millimetre.
+        // The block and its layers are drawn at the same scale. A grid line takes a pixel in each millimetre.
         int widest = 0;
         for (int y = 0; y < image.height(); ++y)
             widest = std::max(widest, count(image, {0, y, image.width(), 1}, Material::Dentin));
@@ -149,7 +149,7 @@ private slots:
         scene.bur = &fissure;
         scene.tipMm = {0.4, 0.0, -3.0};
         const QRect bur = pictures::difference(without, painted(scene), 0).box;
-        // The enamel is 2 mm high: the scale of the picture.
+        // The enamel is 2 mm high, which gives the scale of the picture.
         constexpr int kBeside = 120;
         const double pxPerMm = count(without, column(without, kBeside), Material::Enamel) / 2.0;
         QVERIFY(pxPerMm > 20.0);
@@ -206,7 +206,7 @@ private slots:
         }
     }
 
-    /// Words and planes belong to the tooth, however it lies under the bur.
+    /// Names of sides and planes refer to the tooth, whichever side of it is up.
     void sidesOfALaidToothAreNamed()
     {
         struct Row
@@ -231,7 +231,7 @@ private slots:
             anatomy.name = std::to_string(row.fdi);
             anatomy.lying = core::teeth::findLying(row.side, row.tiltDeg, row.fdi).value();
             QCOMPARE(text::directionName(anatomy, row.angleRad), QString(row.direction));
-            // A film is the tooth's own.
+            // A film is in the tooth's own frame.
             QCOMPARE(text::sideName(anatomy, 0.0), QString("distal"));
         }
         core::terrain::ToothAnatomy scan;
@@ -354,7 +354,7 @@ private slots:
         for (float& top : tooth.top)
             if (top > core::terrain::kEmptyTop)
                 top -= 1.0F;
-        // The left half is as it was, the right one is not.
+        // The left half is unchanged, the right half is not.
         const QImage cut = films.of(tooth);
         const QRect left(0, 0, whole.width() / 2, whole.height());
         const QRect right = left.translated(left.width(), 0);
@@ -370,7 +370,7 @@ private slots:
         Films films;
         const auto brightness = [](const QImage& both) { return pictures::mean(both, both.rect()).brightness(); };
         const double before = brightness(films.of(Tooth(support::syntheticMolar(64))));
-        // Faster than films are developed: the last wish counts.
+        // The slider moves faster than films are developed: the last value counts.
         auto* exposure = films.page.findChild<QSlider*>("exposure");
         for (int step = 1; step <= 6; ++step)
             exposure->setValue(step);

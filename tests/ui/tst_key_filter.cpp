@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keys go to the widget with the focus where a shortcut of the window would take them away.
+// A key goes to the focused widget if a shortcut of the window would otherwise take it.
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -64,13 +64,13 @@ private slots:
     }
 
 private:
-    /// Returns whether the widget with the focus leaves a key to the shortcuts.
+    /// Returns whether the focused widget leaves a key to the shortcuts.
     static bool isShortcut(QWidget& focused, Qt::Key key, const char* text, Qt::KeyboardModifiers modifiers = {})
     {
         QKeyEvent event(QEvent::ShortcutOverride, key, modifiers, QString::fromLatin1(text));
         event.ignore();
         QCoreApplication::sendEvent(&focused, &event);
-        // A line edit accepts every key that it would type by itself.
+        // A line edit accepts every key that it would type.
         return !event.isAccepted();
     }
 

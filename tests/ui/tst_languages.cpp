@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every page, card and dialog of one window, while the language changes: all words change with it and have room.
+// Opens every page, card and dialog of one window while the language changes. All texts must change with it and have
+// enough room.
 //
-// A new page: a line in pages_data() that opens it in English, with something on it. On an enlarged screen
+// For a new page, add a line to pages_data() that opens it in English with some content. On an enlarged screen
 // (QT_SCALE_FACTOR=1.5) the pages are opened in the other language, and only the room is checked.
 #include <functional>
 
@@ -65,7 +66,7 @@ bool isEnlarged()
     return qApp->devicePixelRatio() > 1.0;
 }
 
-/// What a screen of 1280 x 800 pixels has room for.
+/// Returns the size of a window on a screen of 1280 x 800 pixels.
 QSize roomInside()
 {
     return isEnlarged() ? QSize(853, 493) : QSize(1280, 760);
@@ -131,7 +132,7 @@ database::AttemptRecord charted(int number)
     return record;
 }
 
-/// One who is stuck, one who never logged in, one who has not begun.
+/// Returns a class of three: one needs help, one has never logged in, one has not begun.
 database::ClassOverview classOfThree()
 {
     database::ClassOverview shown;
@@ -173,7 +174,7 @@ private slots:
         openWindow();
         m_window->resize(roomInside());
     }
-    /// The window as it is after a logout, which is quicker than all that begin() brings back.
+    /// Resets the window as a logout does, which is faster than making a new one.
     void init()
     {
         ui::text::Language::choose("en_GB");
@@ -190,7 +191,7 @@ private slots:
         for (QAction* panel : {actions().section, actions().history})
             if (panel->isChecked())
                 panel->trigger();
-        // What lies over the room is closed one by one.
+        // Closes the overlays of the practice room one by one.
         for (int closed = 0; closed < 6; ++closed)
             actions().back->trigger();
     }
@@ -408,7 +409,7 @@ private slots:
         page("no classes", [this] { m_window->navigation().openClasses(); });
         page("assign", [this] {
             m_window->assignPage().setLessons({{"0", "[···]", "[··]", "[·]", {}}, {"1", "[····]", "[··]", "[·]", {}}});
-            // Of today: names of months are Qt's.
+            // Uses today's date, because the names of months come from Qt.
             const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
             m_window->assignPage().setAssignments({{7}, "[·]", {}, {}, {}}, {{1, {7}, "1", now, 3}});
             m_window->assignPage().confirm({{{}, database::ClassAssignment{1, {7}, "1", "", 0}}});
@@ -477,9 +478,8 @@ private slots:
     {
         QFETCH(BringUp, bringUp);
         bringUp();
-        // A lesson that is edited is a file's own, its title the teacher's; the tooth of the window is a file.
-        // Commands are typed the same in every language.
-        // A preset has the name that it was given.
+        // Texts that are the same in every language: the title of the edited lesson, the file of the tooth, commands,
+        // and the names of presets.
         QStringList fromOutside{"KiB",
                                 "Qt",
                                 "natural",
@@ -493,7 +493,7 @@ private slots:
                 fromOutside << word;
         for (const lessons::CriterionRule& rule : cutIdeal().lesson->rubric.criteria)
             fromOutside << QString::fromStdString(lessons::inLanguage(rule.title, "en"));
-        // What is weighed or made on another thread says its words a little later, and pages are laid out in passes.
+        // Texts that are computed in another thread appear slightly later, and a layout takes several passes.
         QStringList found;
         const auto isSound = [&] {
             found = pseudo::clipped(*m_window);
@@ -514,7 +514,7 @@ private slots:
                        QString("strange-%1-%2").arg(QTest::currentDataTag()).arg(roomInside().width()));
     }
 
-    /// Who adds a page, a card or a panel adds it to pages_data().
+    /// If you add a page, a card or a panel, add it to pages_data().
     void everyPartWasBroughtUp()
     {
         if (m_looks < m_pages)
@@ -556,7 +556,7 @@ private slots:
         ui::text::Language::choose("de");
         const auto back = qScopeGuard([] { ui::text::Language::choose("en_GB"); });
         QTRY_VERIFY2(bar->sentence().contains("nicht beendet"), qPrintable(bar->sentence()));
-        // What waits beneath it speaks the language of today, too.
+        // The message that waits behind it is in the current language as well.
         bar->dismiss();
         QVERIFY2(bar->sentence().contains("Scan") && !bar->sentence().contains("cannot be opened"),
                  qPrintable(bar->sentence()));
@@ -600,7 +600,7 @@ private slots:
         QTRY_COMPARE(Language::current(), "de");
         QCOMPARE(LanguageMenu::remembered(), "de");
         QTRY_COMPARE(actions().undo->text(), "Rückgängig");
-        // Wherever it is chosen, it is chosen everywhere.
+        // A language selected in one menu is selected in all of them.
         for (const auto* each : m_window->findChildren<LanguageMenu*>())
             QTRY_VERIFY(each->actions().at(names.indexOf("Deutsch"))->isChecked());
         menu->actions().at(names.indexOf("English"))->trigger();
@@ -648,7 +648,7 @@ private:
         ++m_looks;
         for (const QWidget* part : m_window->findChildren<QWidget*>()) {
             const QString kind = QString::fromLatin1(part->metaObject()->className());
-            // What a menu says is read without opening it.
+            // The texts of a menu are checked without opening it.
             if (!kind.startsWith(u"ui::") || qobject_cast<const QMenu*>(part) != nullptr)
                 continue;
             m_parts << kind;
@@ -691,8 +691,8 @@ private:
     }
 
     std::unique_ptr<UiChannels> m_beside;
-    QSet<QString> m_parts;  ///< classes of ui that the window has a widget of
-    QSet<QString> m_seen;   ///< those that were visible
+    QSet<QString> m_parts;  ///< classes of ui of which the window has a widget
+    QSet<QString> m_seen;   ///< classes that were visible
     int m_pages = 0;
     int m_looks = 0;
     pseudo::Translator m_strange;

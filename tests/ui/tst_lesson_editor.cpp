@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lesson editor: a draft and what it comes to, the page, and the sweep over tolerances.
+// The lesson editor: a draft and the result of checking it, the page, and the sweep over tolerances.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -36,7 +36,7 @@ using support::shipped;
 
 namespace {
 
-/// A draft is weighed in a tenth of a second; on a machine that has much else to do, in many.
+/// ms; a draft is checked in a tenth of a second, but may take much longer on a busy computer.
 constexpr int kLoadedMs = 60000;
 
 QJsonObject jsonOf(const ::lessons::ReadLesson& read)
@@ -107,9 +107,9 @@ private slots:
         QVERIFY(weighed->isFullMarks() && !weighed->fields.empty() && !weighed->above.outlineMm.isEmpty());
         std::size_t before = 0;
         for (const double tolerance : {0.1, 0.3, 0.6, 1.0}) {
-            draft.setCriterion(1, "tolerance", tolerance);  // the outline
+            draft.setCriterion(1, "tolerance", tolerance);  // the criterion of the outline
             weighed = weigh(draft.object(), draft.file(), weighed);
-            std::size_t allowed = 0;  // columns that may be cut or not
+            std::size_t allowed = 0;  // columns that may be cut or left
             for (std::size_t k = 0; k < weighed->band->deepestMm.size(); ++k)
                 allowed += weighed->band->deepestMm[k] < weighed->band->shallowestMm[k] ? 1 : 0;
             QVERIFY(allowed > before);
@@ -120,7 +120,7 @@ private slots:
     void whatIsWrongIsSaidBesideItsField()
     {
         open("class1-36");
-        // No bur leaves a line angle of 0.5 mm that has a radius of 0.3 mm.
+        // A bur with a radius of 0.3 mm cannot leave a line angle of 0.5 mm.
         spin("bur_radius_mm")->setValue(0.3);
         spin("line_angle_mm")->setValue(0.5);
         QTRY_LOADED(anyFault("no bur leaves that"));
@@ -156,7 +156,7 @@ private slots:
         QTRY_VERIFY(shows(english));
     }
 
-    /// What each key comes to is weighed and shown, but not over what is being typed.
+    /// The draft is checked and shown after each key, without replacing the text that is being typed.
     void aNumberIsTypedKeyByKey()
     {
         open("class1-36");
@@ -166,7 +166,7 @@ private slots:
         for (const char key : {'0', '.', '4', '5'}) {
             QTest::keyClick(input, key);
             const QString typed = input->text();
-            showNumber(*input, input->value());  // as when it has been weighed
+            showNumber(*input, input->value());  // as after a check of the draft
             QCOMPARE(input->text(), typed);
         }
         QTest::keyClick(input, Qt::Key_Tab);
@@ -248,7 +248,7 @@ private slots:
         }
         QCOMPARE(read.lesson->rubric.id, std::string("class1-own"));
         QCOMPARE(read.lesson->version, 1);
-        // Opened again it is changed where it stands, under a higher version.
+        // When opened again, the lesson is changed in place, with a higher version.
         openOwn();
         spin("depth_mm")->setValue(1.6);
         QTRY_SAVE("Saved");
@@ -273,13 +273,13 @@ private slots:
         m_editor->redo();
         QVERIFY(title()->text().isEmpty());
         m_editor->undo();
-        // A name that somebody else took meanwhile.
+        // Another user has taken the file name meanwhile.
         support::write(ownFile(), "{}");
         QTRY_SAVE("there is a file class1-36-own.lesson.json already");
         QVERIFY(saved().isEmpty());
     }
 
-    /// It is shown, and one's own changes come back by a step back, to be saved in its place.
+    /// The other user's version is shown. Undo restores the own changes, which can then be saved over it.
     void whatAnotherHasWrittenIsNotWrittenOver()
     {
         makeOwn();
@@ -302,9 +302,9 @@ private slots:
         QTRY_SHOWS("depth_mm", 1.5);
         QVERIFY(title()->text() != "Another's");
         QTRY_SAVE("Saved");
-        // Under a version that neither of them had.
+        // The saved version is higher than both.
         QCOMPARE(saved()["version"].toInt(), others["version"].toInt() + 1);
-        // And once more, over what was written just now.
+        // Saves again, over the version just saved.
         spin("depth_mm")->setValue(1.75);
         QTRY_SAVE("Saved");
     }
@@ -322,7 +322,7 @@ private slots:
         QCOMPARE(saved(), others);
     }
 
-    /// While the weights do not add up there is no rubric, and yet each input shows what its draft says.
+    /// If the weights do not add up there is no rubric. Each field must still show the value of the draft.
     void stepsBackShowNumbersOfARubricThatIsNone()
     {
         open("class1-36");
@@ -344,13 +344,13 @@ private slots:
         QTRY_LOADED(!anyFault("they must make 100"));
     }
 
-    /// In one text for all languages, or in none of its own, as "cusp lesson new" writes them.
+    /// The title may be one text for all languages, or be missing, as "cusp lesson new" writes it.
     void aTitleIsShownHoweverItIsWritten()
     {
         QJsonObject object{{"format", 1}, {"id", "mine"}, {"based_on", "ideal-1-class1-1-36.lesson.json"}};
         LessonDraft inherited = draftOf(object);
         QCOMPARE(inherited.title(), QString("Class I on 36"));
-        // Key by key: what nobody has typed in another language says the same, whatever had been made up there.
+        // Typed key by key. A language in which nothing was typed gets the same title, whatever it had before.
         LessonDraft own = draftOf(shipped("class1-36"));
         for (LessonDraft* draft : {&inherited, &own}) {
             const auto in = [draft](const char* language) {
@@ -406,7 +406,7 @@ private slots:
         open("class1-37");
         spin("tolerance.outline")->setValue(0.35);
         QCOMPARE(m_editor->unsavedFiles().size(), 2);
-        // Back at the first, it is as it was left.
+        // The first lesson is shown again as it was left.
         open("class1-36");
         QTRY_SHOWS("depth_mm", 1.75);
         QVERIFY(title()->text().contains("(own version)"));
@@ -426,7 +426,7 @@ private slots:
         QVERIFY(recovered()->unsavedChanges().isEmpty());  // another window has its own drafts
         delete m_editor;
         QVERIFY(QFile::exists(recoveryFile()));
-        // It is the draft of that lesson, and can be undone to what that says.
+        // The recovered draft belongs to that lesson. Undo leads back to the lesson as it is in its file.
         startAgain();
         QCOMPARE(m_editor->unsavedFiles(), QSet<QString>{shipped("class1-36").file});
         m_editor->edit(shipped("class1-36"), m_folder->path());
@@ -434,7 +434,7 @@ private slots:
         m_editor->undo();
         QVERIFY(m_editor->unsavedChanges().isEmpty());
         m_editor->redo();
-        // Somebody else takes the locked window: they do not see the draft, and its owner finds it at their next login.
+        // Another user takes the locked window: they do not see the draft, and its owner finds it at their next login.
         m_editor->closeDrafts();
         m_editor->recover(m_folder->path(), m_folder->filePath("others.json"));
         QVERIFY(m_editor->unsavedChanges().isEmpty());
@@ -443,7 +443,7 @@ private slots:
         QCOMPARE(title()->text(), QString("Mine"));
         m_editor->discardChanges();
         QVERIFY(!QFile::exists(recoveryFile()));
-        // Of a lesson that is not there, and of what is no draft, none is made.
+        // A draft is not recovered if its lesson is missing or its content is invalid.
         delete m_editor;
         support::write(recoveryFile(), R"([{"from": "gone.lesson.json", "lesson": {"title": "Lost"}},
                                            {"from": ":/lessons/class1-36.lesson.json"}, 7])");
@@ -460,7 +460,7 @@ private slots:
         m_editor->edit(shipped("class1-36"), m_folder->path());
         QTRY_CHECKED("105");
         QVERIFY(has("depth_mm"));
-        // With nothing of it made before.
+        // Nothing of it was made before.
         LessonDraft draft = draftOf(shipped("class1-36"));
         draft.setCriterion(1, "weight", 99.0);
         const auto weighed = weigh(draft.object(), draft.file(), {});
@@ -509,7 +509,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(reference->count(), 2, kLoadedMs);
         reference->setCurrentIndex(1);
         emit reference->activated(1);
-        QTRY_LOADED(!has("depth_mm"));  // nothing to set by rule
+        QTRY_LOADED(!has("depth_mm"));  // no rule to adjust
         QCOMPARE(spin("tolerance.outline")->value(), 0.4);
         QTRY_CHECKED("100.0");
         QTRY_SAVE("Saved");
@@ -520,7 +520,7 @@ private slots:
         QTRY_SHOWS("tolerance.outline", 0.2);
     }
 
-    /// A ridge that is thinner than the rubric wants: the ideal would lose points on itself.
+    /// The ridge is thinner than the rubric requires, so the ideal itself would lose points.
     void fitWidensToWhatTheIdealNeeds()
     {
         open("class1-36");
@@ -550,8 +550,8 @@ private slots:
         attempts.push_back(attempts.front());
         attempts.back().surface += 1;
         const auto measured = measureAttempts(assignment, attempts);
-        QCOMPARE(measured.size(), std::size_t{3});                // that of another tooth is left out
-        const Sweep sweep = sweepOf(lesson.rubric, measured, 0);  // the depth alone
+        QCOMPARE(measured.size(), std::size_t{3});                // one of another tooth is left out
+        const Sweep sweep = sweepOf(lesson.rubric, measured, 0);  // of the depth alone
         QCOMPARE(sweep.times.size(), std::size_t{kSweepSteps});
         QCOMPARE(sweep.times.back(), kMostTimes);
         for (std::size_t step = 0; step < sweep.times.size(); ++step) {
@@ -598,7 +598,7 @@ private slots:
             QVERIFY2(table.contains(part), part);
     }
 
-    /// They would count as failed under every tolerance.
+    /// Attempts without measures would count as failed under every tolerance.
     void attemptsWithoutMeasuresAreLeftOutOfTheSweep()
     {
         open("class1-36");
@@ -636,7 +636,7 @@ private slots:
 private:
     [[nodiscard]] QString ownFile() const { return m_folder->filePath("class1-36-own.lesson.json"); }
     [[nodiscard]] QString recoveryFile() const { return m_folder->filePath("unsaved.json"); }
-    /// The teacher's own version, as it was saved.
+    /// Returns the teacher's own version of the lesson from its file.
     [[nodiscard]] QJsonObject saved() const
     {
         const std::string bytes = support::bytesOf(ownFile().toStdString());
@@ -653,7 +653,7 @@ private:
         QTRY_CHECKED("100");
         QTRY_SHOWS("depth_mm", 1.75);
     }
-    /// Makes the teacher's own of a lesson, and opens that.
+    /// Saves a teacher's own version of a lesson and opens it.
     void makeOwn()
     {
         open("class1-36");
@@ -661,7 +661,8 @@ private:
         QTRY_SAVE("Saved");
         openOwn();
     }
-    /// Another window's, as long as there is one; else that of the next start.
+    /// Returns an editor that has recovered the drafts: another window's editor while this one exists, otherwise that
+    /// of the next start.
     std::unique_ptr<LessonEditor> recovered() const
     {
         auto made = std::make_unique<LessonEditor>(*m_actions, nullptr);
@@ -673,7 +674,7 @@ private:
         m_editor = recovered().release();
         m_window->setCentralWidget(m_editor);
     }
-    /// Saves another title and a higher version, as another window would. Returns what the file holds then.
+    /// Saves another title and a higher version, as another window would. Returns the new content of the file.
     QJsonObject writeElsewhere() const
     {
         QJsonObject object = saved();

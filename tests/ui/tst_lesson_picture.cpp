@@ -22,7 +22,7 @@ int differingDots(const QImage& a, const QImage& b)
     return dots;
 }
 
-/// Dots in the colour of decay.
+/// Returns the number of pixels in the colour of decay.
 int countBrown(const QImage& image)
 {
     int dots = 0;
@@ -35,7 +35,7 @@ int countBrown(const QImage& image)
     return dots;
 }
 
-/// Hatched lines do not always come out alike to the last dot.
+/// Returns whether two pictures are equal except for a few pixels, because hatched lines may differ slightly.
 bool alike(const QImage& a, const QImage& b)
 {
     constexpr int kMostDots = 60;
@@ -44,7 +44,7 @@ bool alike(const QImage& a, const QImage& b)
 
 }  // namespace
 
-/// What is shown of a lesson before it is begun.
+/// The preview of a lesson.
 class TestLessonPicture : public QObject
 {
     Q_OBJECT
@@ -92,7 +92,7 @@ private slots:
         lesson.hash = "without ideal";
         const QImage bare = picture(lesson);
         QVERIFY(!alike(told, fromAbove) && !alike(fromAbove, bare));
-        // From above decay is seen as it lies open on the tooth, whatever the aids are.
+        // Seen from above, open decay is visible whatever the aids are.
         Lesson decay = named("decay-36-deep");
         QVERIFY(countBrown(picture(decay)) > 100);
         QVERIFY(countBrown(m_picture->grab(QRect(330, 30, 300, 200)).toImage()) > 100);  // the section through it
@@ -110,7 +110,7 @@ private slots:
             m_picture->setLesson(named(id));
         const QImage last = picture(named("class1-26"));
         QVERIFY2(alike(last, wanted), qPrintable(QStringLiteral("%1 dots").arg(differingDots(last, wanted))));
-        QTest::qWait(300);  // the others are made in this time, and none of them may be shown
+        QTest::qWait(300);  // the other pictures are made in this time, and none of them may be shown
         QVERIFY(alike(shown(), wanted));
     }
 
@@ -122,7 +122,7 @@ private slots:
         lesson.hash = "scan";
         m_picture->setLesson(lesson);
         const QImage making = shown();
-        QTRY_VERIFY_WITH_TIMEOUT(!alike(shown(), making), 30000);  // in words: what is said has changed
+        QTRY_VERIFY_WITH_TIMEOUT(!alike(shown(), making), 30000);  // the text has changed
         QVERIFY(!m_picture->isReady() && m_picture->isVisible());
         QVERIFY(alike(picture(named("orientation-2-hold")), tooth));
     }
@@ -144,7 +144,7 @@ private:
         return shown();
     }
 
-    /// The tooth from above, between the words.
+    /// Returns the picture of the tooth from above, between the texts.
     [[nodiscard]] QImage shown() const { return m_picture->grab(QRect(0, 30, 310, 200)).toImage(); }
 
     std::unique_ptr<LessonPicture> m_picture;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The strip above the tooth: a lesson's steps, their hints, and who hears of them.
+// The strip above the tooth: a lesson's steps and hints, and what a screen reader reads of them.
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -57,7 +57,7 @@ private slots:
         removed[static_cast<std::size_t>(Material::Caries)] = 1.0;
         m_strip->follow(whole, removed, false);
         QCOMPARE(words(), QString("Third"));
-        // A student who goes back stays there while nothing new is reached.
+        // If the student goes back, the strip stays there until a new step is reached.
         arrow("Previous step").click();
         m_strip->follow(whole, removed, false);
         QCOMPARE(words(), QString("Second"));
@@ -163,12 +163,12 @@ private slots:
         QVERIFY(!hint().isVisible() && !arrow("Next step").isVisible());
         m_strip->setTime(70.0);
         QCOMPARE(time->text(), QString("0:00"));
-        // Another attempt is spoken of once there is a grade, and one is left.
+        // The strip mentions another attempt only when the exam is graded and an attempt is left.
         QVERIFY(!words().contains("another attempt"));
         m_strip->setMayBeginAgain(true);
         QVERIFY(words().contains("The exam is over") && words().contains("another attempt"));
         m_strip->setMayBeginAgain(false);
-        // Another attempt begins as the first did.
+        // Another attempt begins like the first.
         m_strip->setLesson(exam);
         QCOMPARE(words(), QString("First"));
         m_strip->setTime(10.0);

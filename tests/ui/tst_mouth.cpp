@@ -39,7 +39,7 @@ private slots:
         for (const int fdi : {36, 34, 32, 23, 21})
             QCOMPARE(clicked(at(fdi)), fdi);
         QCOMPARE(chosen.count(), 5);
-        // Beside the teeth nothing is chosen and nothing is lost.
+        // A click beside the teeth does not change the selection.
         QCOMPARE(clicked({5, 350}), 21);
     }
 
@@ -86,7 +86,7 @@ private slots:
         pressed(Qt::Key_Plus);
         const double after = m_mouth->camera().distanceMm();
         QVERIFY(after < 0.95 * before);
-        // Otherwise it takes its time to come to the same place.
+        // With animations, the camera moves gradually to the same place.
         pressed(Qt::Key_Home);
         m_mouth->setMovesLittle(false);
         pressed(Qt::Key_Plus);
@@ -154,7 +154,7 @@ private:
     [[nodiscard]] QPoint at(int fdi) const { return m_mouth->placeOf(fdi).toPoint(); }
     [[nodiscard]] bool shows(int fdi) const { return !at(fdi).isNull(); }
 
-    /// Clicks a point and returns the chosen tooth.
+    /// Clicks a point and returns the selected tooth.
     int clicked(QPoint place)
     {
         QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, place);

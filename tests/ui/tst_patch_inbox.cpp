@@ -48,7 +48,7 @@ private slots:
         inbox.setGeneration(3);
         inbox.take(patch(2, 0, true));
         QVERIFY(inbox.complete().empty());
-        // Nor do they come back when the number is used again.
+        // The patches do not reappear when the same generation is used again.
         inbox.setGeneration(2);
         QVERIFY(inbox.complete().empty());
     }
@@ -90,14 +90,14 @@ private slots:
         last.top[0] = core::terrain::kEmptyTop;
         ui::tooth::write(last, tooth);
         const core::terrain::Grid& grid = tooth.grid();
-        // Tile 4 begins at node 64 of 70: what lies beyond the grid is nobody's.
+        // Tile 4 begins at node 64 of 70. The part beyond the grid is ignored.
         QVERIFY(!tooth.isSolid(grid.index(64, 16)));
         QCOMPARE(tooth.bottom[grid.index(64, 16)], core::terrain::kEmptyBottom);
         QCOMPARE(tooth.top[grid.index(65, 16)], -1.5F);
         QCOMPARE(tooth.top[grid.index(69, 31)], -1.5F);
         QCOMPARE(tooth.top[grid.index(63, 16)], 0.0F);
         QCOMPARE(tooth.top[grid.index(0, 17)], 0.0F);
-        // An undo brings the column back, its bottom as well.
+        // An undo restores the column, including its bottom.
         last.top[0] = 0.0F;
         ui::tooth::write(last, tooth);
         QCOMPARE(tooth.bottom[grid.index(64, 16)], tooth.anatomy->bottom[grid.index(64, 16)]);

@@ -182,7 +182,7 @@ private slots:
         QCOMPARE(set.shape.deadZone, 0.2);
         QCOMPARE(set.shape.curve, 2.0);
         QCOMPARE(set.axis, 1);
-        // A report that comes in between changes nothing.
+        // A report in between does not change the settings.
         card().setReport(with({pedal()}));
         QCOMPARE(child<QSpinBox>("pedalDeadZone")->value(), 20);
     }
@@ -204,7 +204,7 @@ private slots:
         QCOMPARE(undo->text(), QString("3"));
         QCOMPARE(changed.back().back().value<ControllerSettings>().buttonOf(ControllerAction::Undo), 2);
         QVERIFY(child<QWidget>("axisBars")->accessibleName().contains("3"));
-        // The same button for something else: it does one thing.
+        // If the same button is assigned to another action, it loses the first one.
         child<QPushButton>("action3")->click();
         ++pressed.presses[2];
         card().setReport(with({pressed}));

@@ -60,7 +60,8 @@ private slots:
         QFETCH(double, elevation);
         QFETCH(bool, vertical);
         m_camera.set(10.0, elevation, m_camera.fittingMm());
-        // What a cusp hides is as long as the shadow it would throw from the eye; anything else is the step of a pixel.
+        // A cusp hides a length equal to the shadow that it would throw from the eye. Any other step is that of a
+        // pixel.
         const double relief = m_surface.highestMm().z - m_surface.restingHeightMm();
         for (int line = 0; line < 20; ++line) {
             glm::dvec2 last{0.0};
@@ -122,7 +123,7 @@ private slots:
         point({500.0, 400.0});
         const glm::dvec2 start = m_control.input().targetMm;
         touch({start, -2.0}, 0.0);
-        // As it is driven in, the ray meets its height elsewhere.
+        // While the bur goes down, the ray meets its height at another place.
         point({500.0, 400.0}, {start, -3.5});
         QCOMPARE(fromTarget(start), 0.0);
         glm::dvec2 last = start;
@@ -153,7 +154,7 @@ private slots:
         m_control.push(true);
         touch({0.5, 0.0, surface - 1.0}, 0.7);
         QVERIFY(isAt(surface - 1.6));
-        // And one beside it.
+        // The next press is beside it.
         m_control.push(false);
         m_control.push(true);
         touch({2.0, 0.0, m_surface.heightMm({2.0, 0.0})}, 0.0);
@@ -172,7 +173,7 @@ private slots:
 
     void liftsOverACuspBeforeGoingBehindIt()
     {
-        // From the fossa over the mesiobuccal cusp to its far side.
+        // Moves from the fossa over the mesiobuccal cusp to its far side.
         const glm::dvec2 fossa(-0.9, -0.3);
         m_camera.set(0.0, 88.0, m_camera.fittingMm());
         point(m_camera.pixelOf({-3.9, -4.0, -2.5}));
@@ -188,7 +189,7 @@ private slots:
         QVERIFY(going.hoverMm > cusp);
         const PointerInput there = m_control.input(glm::dvec3(far.targetMm, lifting.hoverMm));
         QCOMPARE(there.hoverMm, far.hoverMm);
-        // Leaning on the tooth nothing is lifted for.
+        // While the bur presses on the tooth, it is not lifted over a cusp.
         m_control.push(true);
         touch({fossa, low}, 0.0);
         QCOMPARE(m_control.input(glm::dvec3(fossa, low)).targetMm.x, far.targetMm.x);
@@ -226,7 +227,7 @@ private slots:
         const PointerInput wish = m_control.input();
         QVERIFY(wish.targetMm.x < 12.0 && wish.targetMm.y > -12.0);
         QCOMPARE(wish.hoverMm, m_surface.restingHeightMm() + PointerControl::kClearanceMm);
-        // A ray that looks up meets nothing and moves nothing.
+        // A ray that points upwards meets nothing, and the bur does not move.
         m_control.moveTo(Ray{{0.0, 0.0, -20.0}, {0.0, 0.0, 1.0}}, {});
         QCOMPARE(m_control.input().targetMm.x, wish.targetMm.x);
     }
@@ -235,7 +236,7 @@ private:
     /// Moves the mouse to a pixel.
     void point(glm::dvec2 pixel, glm::dvec3 burMm = {}) { m_control.moveTo(m_camera.rayThrough(pixel), burMm); }
 
-    /// The bur touches the tooth with its tip so far below the original surface.
+    /// Reports that the bur touches the tooth with its tip this far below the original surface.
     void touch(glm::dvec3 burMm, double depthMm)
     {
         core::servo::ServoState servo;

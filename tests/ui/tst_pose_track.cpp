@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
 
-/// A bur that goes along x by `mmPerS`, read once a millisecond up to a moment.
+/// Returns the state of a bur that moves along x at `mmPerS`, read once per millisecond up to a time.
 ServoState movingUntil(std::int64_t ns, double mmPerS)
 {
     ServoState state;
@@ -69,8 +69,8 @@ private slots:
         QVERIFY(pose.anchorMm == state.anchorMm && pose.deviceMm == state.deviceMm);
     }
 
-    /// Painted up to 3 ms early or late at a beat of 60 Hz, a bur at 30 mm/s would tremble by 0.07 mm from frame to
-    /// frame.
+    /// Frames at 60 Hz are painted up to 3 ms early or late. Without a correction, a bur at 30 mm/s would jitter by
+    /// 0.07 mm from frame to frame.
     void evenMotionIsDrawnInEvenSteps()
     {
         std::mt19937 random(7);

@@ -18,7 +18,7 @@ using ui::render::Presenter;
 using ui::render::Scene;
 using ui::render::Stereo;
 
-/// Ways to look at a tooth: mirror, palettes, lights, two eyes, turned over.
+/// Ways to draw a tooth: mirror, palettes, lights, stereo, flipped.
 class TestPresenter : public support::CanvasTest
 {
     Q_OBJECT
@@ -34,7 +34,7 @@ private slots:
 
     void init() { show(support::syntheticMolar()); }
 
-    /// The dark lesion is a unique mark. It is seen in a mirror above the tooth.
+    /// The dark lesion is easy to recognize. It must appear in a mirror above the tooth.
     void theMirrorShowsThePointWhereItsImageStands()
     {
         const glm::dvec3 lesion = onTooth(kLesion);
@@ -52,9 +52,9 @@ private slots:
         const double dark = at(with, image).brightness();
         QVERIFY2(dark < 0.6 * beside, qPrintable(QStringLiteral("%1 %2").arg(dark).arg(beside)));
         QVERIFY(beside > 100.0);
-        // Where the glass is there was only the room.
+        // The background was at the place of the mirror.
         QVERIFY(at(without, image).brightness() < 80.0);
-        // The tooth itself is as it was.
+        // The tooth itself is unchanged.
         const glm::dvec3 flank(0.0, -4.5, -5.0);
         QVERIFY(std::abs(at(with, flank).brightness() - at(without, flank).brightness()) < 2.0);
     }
@@ -153,7 +153,8 @@ private slots:
         const auto gain = [&](glm::dvec3 point) {
             return at(lit, point, 2).brightness() - at(dark, point, 2).brightness();
         };
-        // The lamp sits on the side of the handle: it reaches the floor's far side, not what is under the near wall.
+        // The lamp is on the side of the handle: it lights the far side of the floor, but not the part under the near
+        // wall.
         const double open = gain({place + glm::dvec2(-0.35, 0.0), floor});
         QVERIFY2(open > 8.0, qPrintable(QString::number(open)));
         const double aside = gain(onTooth({-4.2, -2.5}));
@@ -182,7 +183,7 @@ private slots:
         const QImage with = draw(seen);
         const pictures::Difference ghost = pictures::difference(without, with, 4);
         QVERIFY(ghost.pixels > 100);
-        // It is seen through.
+        // It is translucent.
         QVERIFY(pictures::difference(without, with, 120).pixels < ghost.pixels / 10);
         const glm::dvec2 tip = m_camera.pixelOf({0.0, 0.0, -1.0});
         QVERIFY(ghost.box.contains(qRound(tip.x), qRound(tip.y)));
@@ -206,7 +207,7 @@ private slots:
             return across(left) - across(right);
         };
         QVERIFY(std::abs(crossed(1.0)) < 1.0e-9);
-        QVERIFY(crossed(0.8) > 1.0e-3);   // before the screen
+        QVERIFY(crossed(0.8) > 1.0e-3);   // in front of the screen
         QVERIFY(crossed(1.2) < -1.0e-3);  // behind it
         QVERIFY(std::abs(glm::distance(left.eyeMm, right.eyeMm) - how.apart * focus) < 1.0e-9);
     }

@@ -153,7 +153,7 @@ private slots:
                              : firstIsA        ? BlindTrial::Answer::A
                                                : BlindTrial::Answer::B);
             }
-            trial.answer(BlindTrial::Answer::A);  // it is over
+            trial.answer(BlindTrial::Answer::A);  // the trial is over
             const BlindTrial::Outcome outcome = trial.outcome();
             QVERIFY(outcome.first == 8 && outcome.second == 0 && outcome.neither == 2);
             QVERIFY(support::near(outcome.p, 2.0 / 256.0));
@@ -172,7 +172,7 @@ private slots:
         QVERIFY(list().item(0)->text().contains("version 2"));
         QVERIFY(list().item(2)->text().contains("shipped") && list().item(2)->text().contains("in use"));
         QVERIFY(!(list().item(3)->flags() & Qt::ItemIsSelectable) && list().item(3)->text().contains("is empty"));
-        QCOMPARE(list().currentRow(), 2);  // what is in use
+        QCOMPARE(list().currentRow(), 2);  // the one in use
         QVERIFY(!isEnabled("presetUse"));
         list().setCurrentRow(0);
         QVERIFY(!save->isEnabled());
@@ -197,7 +197,7 @@ private slots:
         QCOMPARE(tried.size(), 1);
         QCOMPARE(tried[0][0].value<FeelPreset>().enamelRate, 0.7);
         QCOMPARE(tried[0][1].value<FeelPreset>().enamelRate, 0.6);
-        QVERIFY(!isEnabled("presetExport"));  // only what has a version leaves the house
+        QVERIFY(!isEnabled("presetExport"));  // only a saved version can be exported
         click("presetSave");
         QCOMPARE(saved[0][0].value<FeelPreset>().version, 0);
         QCOMPARE(saved[0][0].value<FeelPreset>().name, std::string("natural"));
@@ -228,9 +228,9 @@ private slots:
         QCOMPARE(spin("enamel.rate_mm3_per_ns")->value(), 0.175);
         spin("dentin.rate_mm3_per_ns")->setValue(1.0);
         click("presetSimple");
-        QCOMPARE(slider->value(), 0);  // from here on: no slider reaches these numbers
+        QCOMPARE(slider->value(), 0);  // no slider position gives these values
         slider->setValue(slider->minimum());
-        // As often as the panels are changed, and after a trial, they stand where they were left.
+        // The sliders keep their positions when the panels are switched, and after a trial.
         for (int round = 0; round < 3; ++round) {
             click("presetExpert");
             click("presetSimple");
@@ -256,12 +256,12 @@ private slots:
         wall->setValue(wall->minimum());
         keep(3);
         QVERIFY(textOf("presetVersion").startsWith("version 3"));
-        QCOMPARE(wall->value(), wall->minimum());  // no softer than it can be, however often it is kept
+        QCOMPARE(wall->value(), wall->minimum());  // at its softest, and unchanged by saving again
         QCOMPARE(textOf("dialMiddle"), QString("In the middle: natural, version 2."));
         wall->setValue(0);
         QCOMPARE(m_page->draft().stiffnessNPerMm, shipped().stiffnessNPerMm);
         QVERIFY(textOf("presetVersion").contains("changed from natural, version 3"));
-        // Numbers that no slider comes to are the middle; kept, they have a version.
+        // Values that no slider position gives are shown as the middle position. When saved, they get a version.
         click("presetExpert");
         spin("dentin.rate_mm3_per_ns")->setValue(1.234);
         click("presetSimple");
@@ -278,7 +278,7 @@ private slots:
     {
         const auto shown = [&] { return list().currentItem()->text(); };
         QVERIFY2(shown().contains("natural") && shown().contains("in use"), qPrintable(shown()));
-        // Somebody logs in at whose school another is in use.
+        // A user logs in whose school uses another preset.
         m_page->setPresets(shelf(), *shelf()[0].preset);
         QVERIFY2(shown().contains("hard") && shown().contains("version 2"), qPrintable(shown()));
         QCOMPARE(child<QLineEdit>("presetName")->text(), QString("hard"));
@@ -305,8 +305,8 @@ private slots:
     {
         QSignalSpy compared(m_page, &presets::PresetsPage::compareRequested);
         auto* other = child<QComboBox>("presetOther");
-        QCOMPARE(other->count(), 3);  // what cannot be read is no choice
-        // Nothing is compared with itself: another is offered, or what was changed.
+        QCOMPARE(other->count(), 3);  // a preset that cannot be read is not offered
+        // A preset is not compared with itself. Another one is offered, or the unsaved draft.
         auto* compare = child<QPushButton>("presetCompare");
         QVERIFY(compare->isEnabled() && !other->currentText().startsWith("natural"));
         other->setCurrentText("natural v2");
@@ -336,7 +336,7 @@ private slots:
         QVERIFY(card.tuned()->enamelRate < 0.7);
         click("trialReset");
         QVERIFY(*card.tuned() == FeelPreset{});
-        // The feed is drawn as it is turned.
+        // The feed chart follows the dial.
         cardDial().setValue(10);
         auto* feed = card.findChild<presets::FeedChart*>();
         QVERIFY(feed->isVisible() && feed->words(1.0).contains("Enamel 0.2 mm/s"));
@@ -358,14 +358,14 @@ private slots:
             QVERIFY(!isEnabled("trialSaysA"));
             card.follow(1, 0, 0.3);
             QVERIFY(isEnabled("trialSaysA"));
-            // Nothing in the window tells which is which.
+            // No text in the window reveals which preset is which.
             for (const QLabel* label : card.findChildren<QLabel*>())
                 QVERIFY2(!label->isVisible() || !(label->text().contains("hard") || label->text().contains("soft ")),
                          qPrintable(label->text()));
             click(a.enamelRate == first.enamelRate ? "trialSaysA" : "trialSaysB");
         }
         QCOMPARE(fresh.size(), 3);
-        QVERIFY(!presets::isVeiled(felt()));  // it is over
+        QVERIFY(!presets::isVeiled(felt()));  // the trial is over
         const QString said = textOf("trialWords");
         QVERIFY2(said.contains("chosen 4 time") && said.contains("13 time(s) in 100"), qPrintable(said));
         click("trialCsv");
@@ -382,7 +382,7 @@ private slots:
         QVERIFY(!end->isVisible() && back->isVisible());
         for (const int answers : {0, 1}) {
             card.compare(BlindTrial(presetNamed("hard", 1, 0.3), presetNamed("soft", 1, 0.9), 4, 3));
-            // Nobody leaves it by a button that says nothing of it.
+            // During a comparison only the button that ends it is visible.
             QVERIFY(card.isComparing() && end->isVisible() && !back->isVisible());
             for (int trial = 0; trial < answers; ++trial) {
                 for (const char* letter : {"trialA", "trialB"}) {
@@ -396,7 +396,7 @@ private slots:
             const FeelPreset held = felt();
             click("trialEnd");
             QVERIFY(!card.isComparing() && !end->isVisible() && back->isVisible());
-            // It feels as it did, and is told.
+            // The previous preset is felt again, and the result is shown.
             QVERIFY(!presets::isVeiled(felt()));
             QCOMPARE(felt().enamelRate, held.enamelRate);
             const QString said = textOf("trialWords");
@@ -414,13 +414,13 @@ private slots:
         const FeelPreset base = presetNamed("hard", 1, 0.3);
         card.tune(base, base);
         FeelPreset byHand = base;
-        byHand.stiffnessNPerMm = 1.7654;  // no dial comes there
+        byHand.stiffnessNPerMm = 1.7654;  // no position of the dial gives this value
         byHand.hash.clear();
-        card.tune(base, byHand);  // as the console does it
+        card.tune(base, byHand);  // as the console does
         click("trialReset");
         QVERIFY(*card.tuned() == base);
         QVERIFY(felt() == base);
-        // What was typed on the page and is tried is what was.
+        // Resets to the preset that was typed on the page and is being tried.
         card.hide();
         card.tune(base, byHand);
         cardDial().setValue(10);
@@ -450,7 +450,7 @@ private slots:
         QVERIFY(m_page->unsavedChanges().isEmpty());
         child<QSlider>("dial1")->setValue(5);
         m_page->setMayKeep(false);
-        QVERIFY(m_page->unsavedChanges().isEmpty());  // a user who may not save it is not asked
+        QVERIFY(m_page->unsavedChanges().isEmpty());  // a user who cannot save is not asked
         m_page->discardChanges();
         QVERIFY(m_page->draft() == shipped() && list().currentRow() == 2);
     }
@@ -529,7 +529,7 @@ private slots:
     {
         auto* retire = child<QPushButton>("presetRetire");
         const auto* other = child<QComboBox>("presetOther");
-        QVERIFY(!retire->isVisible());  // nobody but an admin
+        QVERIFY(!retire->isVisible());  // visible for an admin only
         auto all = shelf();
         all[0].isRetired = all[1].isRetired = true;
         m_page->setPresets(all, shipped());
@@ -539,7 +539,7 @@ private slots:
         m_page->setPresets(all, shipped());
         QCOMPARE(list().count(), 4);
         QVERIFY(list().item(0)->text().contains("retired") && other->findText("hard v1") < 0);
-        QVERIFY(retire->isVisible() && !retire->isEnabled());  // what is shipped stays
+        QVERIFY(retire->isVisible() && !retire->isEnabled());  // a shipped preset cannot be retired
         list().setCurrentRow(0);
         QVERIFY(!isEnabled("presetUse"));
         QSignalSpy wanted(m_page, &presets::PresetsPage::retireRequested);
@@ -549,7 +549,7 @@ private slots:
         QCOMPARE(wanted.count(), 2);
         QCOMPARE(wanted[0], (QVariantList{"hard", false}));
         QCOMPARE(wanted[1], (QVariantList{"hard", true}));
-        // In use it stays to be seen by everybody.
+        // A retired preset that is in use remains visible to everybody.
         m_page->setMayRetire(false);
         m_page->setPresets(all, presetNamed("hard", 1, 0.5));
         QCOMPARE(list().count(), 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reports are painted by one painter code: here onto pictures and drawings, in the program onto paper and into PDF.
+// Reports have one painting code. Here it paints into pictures and drawings, in the program onto paper and into PDF.
 #include <QApplication>
 #include <QBuffer>
 #include <QDir>
@@ -48,7 +48,7 @@ ui::scoring::Proof proof()
     return {kCode, "0.1.0", QDateTime(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC)};
 }
 
-/// A cavity of a shipped lesson with a pit in its floor, marked.
+/// Returns the score card of a shipped lesson whose cavity has a pit in its floor.
 ScoreCard scoreCard()
 {
     ScoreCard card;
@@ -147,7 +147,7 @@ ClassReport classReport(int students, int lessonCount)
     return report;
 }
 
-/// The pages as pictures.
+/// Returns the pages as pictures.
 template <typename Content>
 QList<QImage> pagesOf(const Content& content, const QSizeF& paper)
 {
@@ -173,7 +173,7 @@ QList<QImage> pagesOf(const Content& content, const QSizeF& paper)
     return count == pages.size() ? pages : QList<QImage>{};
 }
 
-/// All words, as a drawing has them.
+/// Returns all words of the drawing.
 template <typename Content>
 QString wordsOf(const Content& content, const QSizeF& paper)
 {
@@ -190,7 +190,7 @@ QString wordsOf(const Content& content, const QSizeF& paper)
     return QString::fromUtf8(bytes).replace(tags, " ").replace("&quot;", "\"").simplified();
 }
 
-/// Share of the picture that is not white.
+/// Returns the share of the picture that is not white.
 double inkOf(const QImage& page)
 {
     qint64 dark = 0;
@@ -200,13 +200,13 @@ double inkOf(const QImage& page)
     return static_cast<double>(dark) / static_cast<double>(page.width() * page.height());
 }
 
-/// A home that is also the working folder, with a school's file in it, which says whether it was opened.
+/// A home folder that is also the working folder, with a database file in it. Reports whether the file was opened.
 class WatchedHome
 {
 public:
     WatchedHome() : m_home(qgetenv("HOME")), m_before(QDir::currentPath()), m_watch(inotify_init1(IN_NONBLOCK))
     {
-        QFile file(m_folder.filePath("school.sqlite-shm"));  // no kind of file that its name tells
+        QFile file(m_folder.filePath("school.sqlite-shm"));  // its suffix does not identify its type
         m_isReady = file.open(QIODevice::WriteOnly) && file.write(QByteArray(4096, '\1')) == 4096;
         file.close();
         m_isReady = m_isReady && inotify_add_watch(m_watch, QFile::encodeName(file.fileName()), IN_OPEN) >= 0 &&
@@ -241,7 +241,7 @@ class TestReport : public QObject
 {
     Q_OBJECT
 private slots:
-    /// Whoever closes a school's file drops SQLite's locks on it.
+    /// Closing a database file would drop SQLite's locks on it, so the print dialog must not open it.
     void noFileIsOpenedToAskForAPrinter()
     {
         QPrinter printer;
@@ -254,8 +254,8 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(dialog.get()));
         QVERIFY(!dialog->testOption(QAbstractPrintDialog::PrintToFile));
         QCOMPARE(qgetenv("HOME"), home);
-        // Qt's own dialog must open the file, or the test proves nothing. Our dialog began earlier and would have
-        // opened it, too.
+        // Qt's own dialog must open the file; otherwise the test proves nothing. It is shown later than our dialog,
+        // which would have had more time to open the file.
         WatchedHome theirs;
         QVERIFY(theirs.isReady());
         QPrintDialog plain(&printer, &window);
@@ -334,7 +334,7 @@ private slots:
             QVERIFY2(!words.contains(part), qPrintable(part + " in " + words));
     }
 
-    /// Pictures give way rather than send a few lines to a second page.
+    /// Pictures become smaller so that a few lines do not go to a second page.
     void onePageHoldsAShortCard()
     {
         ScoreCard card = m_card;
@@ -345,7 +345,7 @@ private slots:
             QCOMPARE(pagesOf(card, paper).size(), 1);
     }
 
-    /// Of a language that nobody speaks; but for names, and what lessons say themselves.
+    /// Prints the report in an invented language. Every text must be translated, except names and the texts of lessons.
     void everyWordIsOfTheLanguage()
     {
         pseudo::Translator strange;
@@ -403,7 +403,7 @@ private slots:
         ClassReport report = classReport(35, 40);
         report.given = {{1, report.overview.id, "lesson-0", kOverdue, 0}};
         const QList<QImage> pages = pagesOf(report, kA4);
-        // Parts follow each other without leaving half a page empty.
+        // The parts follow each other without half-empty pages.
         QVERIFY2(pages.size() <= 6, qPrintable(QString::number(pages.size())));
         const QString words = wordsOf(report, kA4);
         QVERIFY2(words.count(sign) >= pages.size() - 1, qPrintable(QString::number(words.count(sign))));
@@ -419,7 +419,7 @@ private slots:
             for (const QImage& page : pagesOf(m_card, paper) + ofClass) {
                 const double inked = inkOf(page);
                 QVERIFY2(inked > 0.002 && inked < 0.35, qPrintable(QString::number(inked)));
-                // The line above the footer stays free.
+                // The line above the footer is empty.
                 const int foot = static_cast<int>((paper.height() - 29.0) * kDotsPerPoint);
                 QCOMPARE(inkOf(page.copy(0, foot, page.width(), 1)), 0.0);
             }

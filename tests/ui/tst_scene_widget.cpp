@@ -21,9 +21,9 @@ using ui::tooth::ToothView;
 namespace {
 
 const QColor kGround(40, 60, 80);
-const QColor kHigh(200, 100, 50);  ///< the upper quarter of what OpenGL draws
+const QColor kHigh(200, 100, 50);  ///< upper quarter of the picture that OpenGL draws
 
-/// A ground whose upper quarter has another colour, and a white square painted on its upper left corner.
+/// A background whose upper quarter has another colour, with a white square painted on its upper left corner.
 class Marks : public SceneWidget
 {
 public:
@@ -126,7 +126,7 @@ private slots:
         marks->resize(window.size());
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
-        // As the window system brings it: to the window, which looks for who is there.
+        // Sends the click to the window, as the window system does; the window finds the widget.
         QTest::mouseClick(window.windowHandle(), Qt::LeftButton, {}, QPoint(150, 100));
         QCOMPARE(marks->presses, 1);
     }
@@ -186,7 +186,7 @@ private slots:
         QCOMPARE(marks.samples, QList<int>({0, 0}));
         QTRY_COMPARE(marks.samples.size(), 3);
         QVERIFY(marks.samples.back() > 0);
-        // While the eye moves half as fine, then as fine as before.
+        // While the camera moves the picture has half the resolution, then the full one again.
         marks.redrawMoving();
         QTRY_COMPARE(marks.drawnPx, QSize(50, 50));
         QTRY_COMPARE(marks.drawnPx, QSize(100, 100));
@@ -207,7 +207,7 @@ private slots:
         }
         QCOMPARE(images[0].size(), images[1].size());
         const int apart = pictures::difference(images[0], images[1]).pixels;
-        // Letters of the gizmo and smooth edges are painted by another engine.
+        // The letters of the gizmo and smooth edges are painted by different engines.
         QVERIFY2(apart < 480 * 360 / 100, qPrintable(QString::number(apart)));
     }
 

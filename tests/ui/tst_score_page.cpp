@@ -34,8 +34,8 @@ using ui::scoring::ScorePage;
 
 namespace {
 
-/// A tooth that was cut as the ideal says but for two things: a pit 0.4 mm too deep at one place of the floor, and an
-/// untouched piece at the other end.
+/// A tooth cut to the ideal with two errors: a pit 0.4 mm too deep at one place of the floor, and an uncut area at the
+/// other end.
 struct Faulty
 {
     lessons::Assignment assignment;
@@ -43,7 +43,7 @@ struct Faulty
     lessons::ScoreSheet sheet;
 };
 
-/// Made once of each lesson.
+/// Returns the tooth for a lesson, made once for each lesson.
 const Faulty& faulty(const std::string& id)
 {
     static std::map<std::string, Faulty> all;
@@ -94,7 +94,7 @@ core::grading::Process conducted()
     return process;
 }
 
-/// Each criterion's loss in five parts, the first never earned.
+/// Splits each criterion's loss into five parts, the first of which was never earned.
 std::vector<std::vector<Moment>> parts(const lessons::ScoreSheet& sheet)
 {
     std::vector<std::vector<Moment>> made;
@@ -142,7 +142,7 @@ private slots:
             QVERIFY(tooDeep.red() > tooDeep.blue() + 20);
             QVERIFY(toGo.blue() > toGo.red() + 20);
         }
-        // Deeper is darker, to the end of the scale.
+        // A deeper error is darker, up to the end of the scale.
         QVERIFY(QColor(ui::scoring::heatColour(-0.2)).lightness() > QColor(ui::scoring::heatColour(-0.8)).lightness());
         QCOMPARE(ui::scoring::heatColour(-1.0), ui::scoring::heatColour(-2.0));
     }
@@ -164,7 +164,7 @@ private slots:
                 QCOMPARE(heat->marked(), own);
                 QVERIFY2(textOf("place").contains(ui::text::criterionName(row->criterion())),
                          qPrintable(textOf("place")));
-                // How deep the cut is beside a wall or a ridge is not what is wrong with it.
+                // Beside a wall or a ridge, the depth of the cut is not the error.
                 const std::string& measure = row->criterion().measure;
                 const bool isAcross = measure.starts_with("ridge") || measure.starts_with("wall");
                 QVERIFY2(!isAcross || !textOf("place").contains(" mm "), qPrintable(textOf("place")));
@@ -210,7 +210,7 @@ private slots:
             QVERIFY(!chip->text().contains("not removed"));
         QCOMPARE(row->focusPolicy(), Qt::StrongFocus);
         QCOMPARE(row->cursor().shape(), Qt::PointingHandCursor);
-        // Without a recording there is no tooth to show a place on.
+        // Without a recording there is no tooth on which a place could be shown.
         m_page->setScore([] { return QString(); }, made.sheet, {}, {}, {});
         for (const CriterionRow* plain : m_page->findChildren<CriterionRow*>()) {
             QVERIFY(!plain->isChecked());
@@ -251,7 +251,7 @@ private slots:
                 chip->click();
         QCOMPARE(wanted.count(), 1);
         QCOMPARE(wanted.front().front().toDouble(), 48.0);
-        // The remaining moments are folded.
+        // The remaining moments are collapsed.
         QVERIFY2(chips.back()->text().contains("3"), qPrintable(chips.back()->text()));
         chips.back()->click();
         QTRY_COMPARE(row->findChildren<QPushButton*>().size(), 4);
@@ -290,7 +290,7 @@ private slots:
         QVERIFY(!button->isVisible());  // the moments are not known yet
         m_page->setMoments(parts(made.sheet));
         QVERIFY(button->isVisible());
-        // The row that cost most is chosen, and its place says the same.
+        // The row with the largest loss is selected, and its place shows the same advice.
         QCOMPARE(textOf("placeAdvice"), advice->text());
         QSignalSpy wanted(m_page, &ScorePage::momentRequested);
         button->click();
@@ -325,7 +325,7 @@ private slots:
         const auto isShown = [this](const char* name) { return child<CriterionRow>(name)->isVisible(); };
         QVERIFY(!isShown("criterion_thin") && isShown("criterion_in_enamel"));
         QVERIFY(!isShown("criterion_pulp_exposure") && isShown("criterion_depth"));
-        // The arrow keys pass over what is hidden.
+        // The arrow keys skip hidden rows.
         auto* last = child<CriterionRow>("criterion_floor");
         last->setFocus();
         QTest::keyClick(last, Qt::Key_Down);
@@ -341,7 +341,7 @@ private slots:
         Faulty made = faulty("decay-36-moderate");
         show(made);
         const auto* facts = child<QLabel>("conduct");
-        QVERIFY(!facts->isVisible());  // nobody saw how it came about
+        QVERIFY(!facts->isVisible());  // there is no record of the process
         made.work.measured.process = conducted();
         show(made);
         QVERIFY(textOf("breaches").contains("No breach"));
@@ -440,7 +440,7 @@ private slots:
         QCOMPARE(std::count_if(labels.begin(), labels.end(),
                                [](const QLabel* label) { return label->text() == "other rubric"; }),
                  1);
-        // The pointer is told more of a column, and a file of all of them.
+        // The tooltip has more details of a column, and a file has those of all columns.
         QHelpEvent onFirst(QEvent::ToolTip, {4, 40}, chart->mapToGlobal(QPoint(4, 40)));
         QApplication::sendEvent(chart, &onFirst);
         QVERIFY2(QToolTip::text().contains("2026") && QToolTip::text().contains("61.2 with another rubric"),
@@ -451,7 +451,7 @@ private slots:
         const std::string table = support::bytesOf(folder.filePath("scores.csv").toStdString());
         QVERIFY2(table.find("61.2") != std::string::npos, table.c_str());
         m_page->setHistory({});
-        QVERIFY(!save->isVisible());  // there is nothing to be saved
+        QVERIFY(!save->isVisible());  // there is nothing to save
     }
 
     void aClassOfFewIsNotShown()
@@ -503,7 +503,7 @@ private slots:
         show(made);
         auto* heat = child<HeatMap>();
         auto* atPlace = child<QCheckBox>("atPlace");
-        // A user who may only read pins nothing.
+        // A user who can only read cannot pin a place.
         m_page->setTalkVisible(true);
         QApplication::processEvents();
         QTest::mouseClick(heat, Qt::LeftButton, {}, heat->rect().center());
@@ -515,11 +515,11 @@ private slots:
         const auto place = *heat->pin();
         const glm::dvec2 node = grid.latticeOf(glm::dvec2(place[0], place[1]));
         const auto k = grid.index(static_cast<int>(std::lround(node.x)), static_cast<int>(std::lround(node.y)));
-        QCOMPARE(place[2], static_cast<double>(made.work.tooth->top[k]));  // on the surface as it ended
-        // Beside the tooth is no place.
+        QCOMPARE(place[2], static_cast<double>(made.work.tooth->top[k]));  // on the final surface
+        // A click beside the tooth is not a place.
         QTest::mouseClick(heat, Qt::LeftButton, {}, {4, 4});
         QVERIFY(!heat->pin() && !atPlace->isChecked());
-        // A comment's place is shown where it was, and brought into sight.
+        // The place of a comment is shown and scrolled into view.
         database::AttemptTalk talk;
         talk.comments.push_back({1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here.", place, {}});
         m_page->talk().setTalk(talk);
@@ -528,7 +528,7 @@ private slots:
                 button->click();
         QCOMPARE(heat->pin(), std::optional(place));
         QVERIFY(!heat->visibleRegion().isEmpty());
-        // Another score card begins without.
+        // Another score card begins without a pin.
         show(made);
         QVERIFY(!heat->pin());
     }
@@ -568,7 +568,8 @@ private slots:
         QVERIFY2(top >= 0 && top < pane->viewport()->height() / 2, qPrintable(QString::number(top)));
     }
 
-    /// A reader too: what gets the keyboard comes into sight, and the page keys go where nothing can have it.
+    /// The page can be read with the keyboard: the focused control is scrolled into view, and the page keys scroll
+    /// where no control can have the focus.
     void theKeyboardReadsAll()
     {
         m_page->resize(900, 600);
@@ -596,7 +597,7 @@ private slots:
         QCOMPARE(pane->verticalScrollBar()->value(), pane->verticalScrollBar()->maximum());
         QTest::keyClick(chip, Qt::Key_Home);
         QCOMPARE(pane->verticalScrollBar()->value(), 0);
-        // Also from beneath the pane.
+        // This also works from a control below the pane.
         auto* beneath = child<QWidget>("scoreReport");
         QVERIFY(!pane->isAncestorOf(beneath));
         QTest::keyClick(beneath, Qt::Key_PageDown);
@@ -614,7 +615,7 @@ private slots:
     }
 
 private:
-    /// Those that are shown.
+    /// Returns the visible rows.
     [[nodiscard]] QList<CriterionRow*> rows() const
     {
         auto all = m_page->findChildren<CriterionRow*>();
@@ -629,7 +630,7 @@ private:
         m_page->setMoments(parts(made.sheet));
         m_page->setClass({1, {}});
         m_page->setNoise(lessons::gridNoise(made.assignment, *made.work.tooth).value());
-        // Pages are laid out in passes.
+        // A layout takes several passes.
         const auto all = rows();
         QTRY_VERIFY(all.size() == 1 || all.back()->y() >= all.front()->y() + all.front()->height());
         QApplication::processEvents();

@@ -121,7 +121,7 @@ private slots:
         list->setCurrentIndex(2);
         emit list->activated(2);
         QCOMPARE(changed.back().front().value<SoundSettings>().output, QByteArray("headphones"));
-        // It is unplugged, and stays chosen.
+        // The output is unplugged and stays selected.
         card().setOutputs({{"speakers", "Speakers", true}});
         QCOMPARE(list->count(), 3);
         QCOMPARE(list->currentText(), QString("The chosen output (missing)"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The player with outputs that a test plugs in, unplugs and lets refuse.
+// The sound player with outputs that a test plugs in, unplugs and makes fail.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -18,7 +18,7 @@ namespace {
 const OutputInfo kSpeakers{"speakers", "Speakers", true};
 const OutputInfo kHeadphones{"headphones", "Headphones", false};
 
-/// Stands in for the outputs of a computer: reads only when the test says so.
+/// A fake of a computer's audio outputs, which read only when the test requests it.
 class TestPort final : public AudioPort
 {
 public:
@@ -52,7 +52,7 @@ public:
         m_source = nullptr;
         emit stopped();
     }
-    /// Plays for a time, and returns the loudest sample.
+    /// Plays for some seconds and returns the loudest sample.
     [[nodiscard]] float play(double seconds) const
     {
         const auto samples =
@@ -197,7 +197,7 @@ private slots:
         SoundSettings quieter;
         quieter.volumes.master = 0.5F;
         m_player->setSettings(quieter);
-        QCOMPARE(m_port->m_starts, starts);  // not at each move of a slider
+        QCOMPARE(m_port->m_starts, starts);  // not restarted at each move of a slider
         m_port->m_refused.clear();
         QTRY_VERIFY(report().stage == SoundStage::Playing);
     }
@@ -259,7 +259,7 @@ private slots:
         std::swap(speakers.isDefault, headphones.isDefault);
         m_port->plug({speakers, headphones});
         QCOMPARE(m_port->m_playing, kHeadphones.id);
-        QVERIFY(!report().isFallback);  // none was chosen
+        QVERIFY(!report().isFallback);  // no output was selected
     }
 
     void theSampleIsPlayedOnThePage()

@@ -55,7 +55,8 @@ glm::vec2 acrossWall(double degrees)
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// Ground of 0 mm, and behind a line through the middle of -1 mm: a wall that no row of nodes follows.
+/// Returns ground at 0 mm that falls to -1 mm behind a line through the middle: a wall that is not along a row of
+/// nodes.
 std::vector<float> wall(double degrees)
 {
     const glm::vec2 across = acrossWall(degrees);
@@ -77,9 +78,9 @@ private slots:
             QTest::addRow("%g degrees", degrees) << degrees << 0.33F;
     }
 
-    /// Where the drawn wall is half way down wobbles by less than a third of a cell about a line, where the maps' own
-    /// does by a cell; only steps that are longer than the blur is wide are not quite evened out. And it is a wall:
-    /// from a tenth of its height to nine tenths are little more than two cells.
+    /// The line at which the drawn wall is half-way down deviates by less than a third of a cell from a straight one,
+    /// where the height map deviates by a cell. Only steps longer than the width of the blur are not evened out
+    /// completely. The wall stays steep: from a tenth to nine tenths of its height takes little more than two cells.
     void aWallAtAnyAngleIsStraight()
     {
         QFETCH(double, degrees);
@@ -116,7 +117,7 @@ private slots:
 
     void gentleGroundStaysAsItIs()
     {
-        // A fossa of 3 mm radius: up to 27 degrees within 1.4 mm of its middle.
+        // A fossa of 3 mm radius, with slopes of up to 27 degrees within 1.4 mm of its middle.
         const Drawn drawn(
             field([](glm::vec2 at) { return 3.0F - std::sqrt(std::max(0.0F, 9.0F - glm::dot(at, at))); }));
         support::eachNode(kGrid, [&](std::size_t k, glm::dvec2 place) {

@@ -64,7 +64,7 @@ private slots:
         QCOMPARE(get<QLabel>("counts")->text(), QString("80.0 points, passed"));
         QCOMPARE(get<QLabel>("machine")->text(), QString("Given by Grace Hopper. The machine's score: 68.4 points."));
         QVERIFY(get<QPushButton>("machineAgain")->isVisible());
-        // Everything is signed, and in order.
+        // Every entry has its author, and the entries are in order.
         const QString all = words();
         const auto first = all.indexOf("Here you pressed too hard.");
         const auto second = all.indexOf("gave 80.0 points: The wall is fine by hand.");
@@ -120,16 +120,16 @@ private slots:
         const auto pinned = sent();
         QCOMPARE(std::get<1>(pinned), std::optional<std::int64_t>(102'400));
         QCOMPARE(std::get<2>(pinned), std::optional<Place>(Place{1.0, 2.0, 3.0}));
-        // It was kept: the field is free for the next, which begins without pins.
+        // The comment was saved: the field is empty for the next one, which begins without pins.
         m_panel->answer(0);
         QVERIFY(comment()->toPlainText().isEmpty());
         QVERIFY(!atPlace()->isChecked() && !atMoment()->isChecked());
-        // A place that the writer marks is pinned at once; not the place of another comment that they look at.
+        // A place that the writer marks is pinned at once, but not the place of another comment that they look at.
         m_panel->setPlace(Place{1.0, 2.0, 3.0}, true);
         QVERIFY(atPlace()->isChecked());
         m_panel->setPlace(Place{4.0, 5.0, 6.0});
         QVERIFY(!atPlace()->isChecked());
-        // What others have pinned leads there.
+        // A place or moment that others have pinned can be opened.
         m_panel->setTalk(talk());
         QSignalSpy moment(m_panel.get(), &CommentsPanel::momentRequested);
         QSignalSpy place(m_panel.get(), &CommentsPanel::placeRequested);
@@ -151,7 +151,7 @@ private slots:
         click("giveScore");
         QCOMPARE(wanted[0][0].value<std::optional<int>>(), std::optional(777));
         QCOMPARE(wanted[0][1].toString(), QString("Wall seen by hand"));
-        // One that is typed while it is on its way is another.
+        // An override that is typed while the previous one is being saved is a new one.
         points()->setValue(60.0);
         m_panel->answer(0);
         QCOMPARE(points()->value(), 60.0);
@@ -165,7 +165,7 @@ private slots:
     {
         m_panel->setTalk(talk());
         QCOMPARE(points()->value(), 80.0);
-        // What somebody has begun to type outlasts a comment.
+        // An override that is being typed is kept when a new comment arrives.
         points()->setValue(77.7);
         AttemptTalk commented = talk();
         commented.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
@@ -176,7 +176,7 @@ private slots:
         QVERIFY(m_panel->unsavedChanges().isEmpty());
     }
 
-    /// With what it is pinned to, and a reason with its number.
+    /// A comment is kept with its pins, and an override with its points and reason.
     void whatIsTypedStaysWithItsAttempt()
     {
         const auto isEmpty = [&] {
@@ -206,7 +206,7 @@ private slots:
         QCOMPARE(wanted.size(), 1);
         QCOMPARE(wanted[0][1].value<std::optional<std::int64_t>>(), std::optional<std::int64_t>(4500));
         QVERIFY(wanted[0][2].value<std::optional<Place>>().has_value());
-        // Discarded, it is gone from all attempts, and an answer that comes late changes nothing.
+        // After it is discarded, it is gone from all attempts, and a late answer has no effect.
         m_panel->discardChanges();
         m_panel->answer(7, "It could not be kept.");
         QVERIFY(isEmpty() && m_panel->unsavedChanges().isEmpty());
@@ -214,7 +214,7 @@ private slots:
         QVERIFY(isEmpty());
     }
 
-    /// The button rests once the comment is there; a digit that is typed next must not become the score.
+    /// The button is disabled after the comment was saved. A digit that is typed next must not become the score.
     void theKeyboardStaysWithTheComment()
     {
         comment()->setPlainText("Lift the bur here.");
@@ -277,7 +277,7 @@ private slots:
         QCOMPARE(comment()->toPlainText(), expected);
         QCOMPARE(atMoment()->isChecked(), !earlier);
         QCOMPARE(atPlace()->isChecked(), !earlier);
-        // A user who may only read takes nothing back.
+        // A user who can only read cannot withdraw a comment.
         m_panel->setTalk(mine);
         m_panel->setMay(false, false);
         QVERIFY(get<QPushButton>("takeBack") == nullptr);
@@ -299,7 +299,7 @@ private slots:
         QVERIFY(comments.size() == 1 && !add->isEnabled());
         comment()->insertPlainText("More. ");
         QVERIFY(!add->isEnabled());
-        // What is on its way still rests when something else is refused.
+        // A button whose request is pending stays disabled when another request is refused.
         click("takeBack");
         m_panel->keepComment(1, 0, "The school does not answer.");
         QVERIFY(isEnabled("takeBack") && !add->isEnabled());
@@ -314,7 +314,7 @@ private slots:
         QVERIFY(reason()->text().isEmpty());
     }
 
-    /// Where another is shown by then, it stands there on return.
+    /// If another attempt is shown when the answer arrives, the error is shown when the user returns.
     void whatWasRefusedIsToldAtItsAttempt()
     {
         m_panel->setAttempt(7);
@@ -326,7 +326,7 @@ private slots:
         m_panel->setAttempt(7);
         QVERIFY(fault()->isVisible() && fault()->text() == "It could not be kept.");
         QCOMPARE(comment()->toPlainText(), QString("Lift the bur here."));
-        // What is kept meanwhile does not wait there.
+        // A comment that is saved meanwhile is not there on return.
         click("addComment");
         m_panel->setAttempt(8);
         m_panel->answer(7);
@@ -363,7 +363,7 @@ private slots:
             m_panel->show();
         };
         goTo(34'000);
-        QVERIFY(atMoment()->isVisible() && !atMoment()->isChecked());  // nothing is being written
+        QVERIFY(atMoment()->isVisible() && !atMoment()->isChecked());  // no comment is being written
         comment()->setPlainText("Here you press too hard");
         goTo(34'000);
         QVERIFY(atMoment()->isChecked());
@@ -372,7 +372,7 @@ private slots:
         goTo(70'000);
         QVERIFY(atMoment()->isChecked());
         QCOMPARE(atMoment()->text(), QString("at 0:34 of the replay"));
-        // To have been elsewhere is not to have gone to a moment, nor is to look at what another is pinned to.
+        // Hiding the panel is not the same as going to a moment, and neither is looking at the pin of another comment.
         atMoment()->setChecked(false);
         m_panel->hide();
         m_panel->show();
@@ -385,7 +385,8 @@ private slots:
         QVERIFY(atMoment()->isChecked());
     }
 
-    /// Else a score that is typed with the sign of another language is ten times as large.
+    /// Point and comma are both accepted as the decimal sign. Otherwise a score typed with the sign of another language
+    /// would be ten times as large.
     void aPointAndACommaAreOne()
     {
         const auto back = qScopeGuard([] { QLocale::setDefault(QLocale("en_GB")); });
@@ -401,7 +402,7 @@ private slots:
             }
     }
 
-    /// It stays as it was typed, and is not given.
+    /// Invalid input stays as it was typed and is not submitted.
     void whatIsNoScoreIsNotMadeOne()
     {
         QSignalSpy wanted(m_panel.get(), &CommentsPanel::overrideRequested);
@@ -447,7 +448,7 @@ private:
     [[nodiscard]] QCheckBox* atMoment() const { return get<QCheckBox>("atMoment"); }
     [[nodiscard]] QCheckBox* atPlace() const { return get<QCheckBox>("atPlace"); }
     [[nodiscard]] QLabel* fault() const { return get<QLabel>("fault"); }
-    /// Shows an attempt with 68.4 points, which is not passed.
+    /// Shows an attempt with 68.4 points that has not passed.
     void showAttempt(qint64 id) const
     {
         m_panel->setAttempt(id);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Codes and values in words: every code has its sentence, in both languages.
+// Texts for codes and values: every code has its sentence, in all languages.
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
@@ -57,7 +57,7 @@ struct Entry
     QString source;
     QString type;  ///< "unfinished", "vanished" or empty
     bool isPlural = false;
-    QStringList translations;  ///< of a plural its forms; else the lines of the text
+    QStringList translations;  ///< the forms of a plural; otherwise the lines of the text
 };
 
 QList<Entry> entriesOf(const QString& file)
@@ -98,7 +98,7 @@ QString tsFile(const QString& language)
     return QStringLiteral(CUSP_SOURCE_DIR "/translations/cusp_%1.ts").arg(language);
 }
 
-/// One criterion as it comes out of marking, with 100 points among it and another.
+/// Returns a criterion as marking returns it, with 100 points shared with another one.
 lessons::Criterion criterion(const std::string& id, std::optional<double> measured, const std::string& unit,
                              lessons::Side side, double target, double tolerance, double span, int weightTenths)
 {
@@ -186,7 +186,7 @@ private slots:
                                "今日 14:05 締切|締切：火曜日|締切：2026/11/17";
     }
 
-    /// The order of day, month and year, their names, and the words around them.
+    /// The order of day, month and year, their names, and the texts around them.
     void datesFollowTheLanguage()
     {
         QFETCH(QString, locale);
@@ -263,7 +263,7 @@ private slots:
         QCOMPARE(ui::admin::findingWords(row, names, {}),
                  QString("audit row 9 (%1, logged in, Sam %2 (s1001)) is not the one that was signed")
                      .replace("%1", ui::text::when("2026-11-20T10:15:00Z")));
-        // A lesson by its title, as long as somebody knows it.
+        // A lesson is named by its title, if that is known.
         const database::IntegrityIssue standing{"%1 has attempts in %2 and no standing", {"person:1f", "class1-36"}};
         QCOMPARE(ui::admin::findingWords(standing, names, {{"class1-36", "Class I, 36"}}),
                  QString("Sam %2 (s1001) has attempts in Class I, 36 and no standing"));
@@ -429,7 +429,7 @@ private slots:
         QVERIFY(holds(QString("Özil Çelik"), "oz") && holds(QString("Straße"), "strasse"));
         QVERIFY(holds("anything", {}) && !holds("line", "lime"));
         QVERIFY(holdsEach(QString("Bloque: círculo"), "circulo bloq") && !holdsEach("Bloque", "bloque linea"));
-        // "ga" is no "ka" with an accent.
+        // "ga" does not count as "ka" with an accent.
         QVERIFY(!holds(QString("が"), QString("か")) && holds(QString("がか"), QString("が")));
     }
 
@@ -543,10 +543,10 @@ private slots:
         static const QRegularExpression tag("</?[a-z][^>]*>");
         static const QRegularExpression mark("%[1-9]|%L?n");
         static const QRegularExpression threeWords(
-            "[a-z]{2,} [a-z]{2,} [a-z]{2,}");  // in Japanese it was left as it is
+            "[a-z]{2,} [a-z]{2,} [a-z]{2,}");  // untranslated, if found in Japanese
         const QList<Entry> entries = entriesOf(tsFile(language));
         QVERIFY(entries.size() > 150);
-        // Sentences of the rooms below, which are only marked there.
+        // Sentences of the lower layers, which are only marked for translation there.
         for (const char* context : {"Finding", "Fault"})
             QVERIFY2(
                 std::any_of(entries.begin(), entries.end(), [&](const Entry& one) { return one.context == context; }),
@@ -597,8 +597,8 @@ private slots:
         QVERIFY(plurals > 50);
     }
 
-    /// By the program, and by the lessons that are shipped. An imperative gives itself away only where it begins a
-    /// sentence with a verb that our texts use.
+    /// Neither the program nor the shipped lessons address the user in the familiar form. An imperative can only be
+    /// recognized if it begins a sentence with a verb that the texts use.
     void nobodyIsSpokenToLikeAChild()
     {
         for (const auto& [language, familiar] :
@@ -627,7 +627,7 @@ private slots:
         }
     }
 
-    /// The letter of a side is not that of the tissue with the same English letter.
+    /// In each language, the letter of a side must differ from that of the tissue whose English letter is the same.
     void lettersDifferInEveryLanguage_data() { support::rows<QString>("language", {"de", "es", "ja"}); }
     void lettersDifferInEveryLanguage()
     {

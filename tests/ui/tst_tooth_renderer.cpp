@@ -31,7 +31,7 @@ private slots:
         QVERIFY(tooth.box.left() > 20 && tooth.box.right() < kWidth - 20);
         QVERIFY(tooth.box.top() > 5 && tooth.box.bottom() < kHeight - 5);
         QVERIFY(std::abs(tooth.box.center().x() - kWidth / 2) < 60);
-        // Ivory: light, and warmer than the room.
+        // Ivory: bright, and warmer than the background.
         const Colour enamel = at(image, {-2.6, -2.6, -0.8}, 6);
         QVERIFY(enamel.brightness() > 140.0);
         QVERIFY(enamel.red > enamel.blue + 8.0);
@@ -49,14 +49,14 @@ private slots:
             bool inside = false;
             for (int x = 0; x < kWidth; ++x) {
                 const QRgb pixel = image.pixel(x, y);
-                // The room is dark and bluish; the tooth is light, and its decay warm.
+                // The background is dark and bluish; the tooth is bright, and its decay warm.
                 const bool lit = qGreen(pixel) > 90 || qRed(pixel) > qBlue(pixel) + 3;
                 changes += lit != inside ? 1 : 0;
                 inside = lit;
             }
             seams += changes > 2 ? 1 : 0;
         }
-        // A row that only grazes the outline may break; a seam would break many.
+        // A row that only touches the outline may be interrupted; a seam would interrupt many rows.
         QVERIFY2(seams <= 4, qPrintable(QString("%1 rows are broken").arg(seams)));
     }
 
@@ -93,7 +93,7 @@ private slots:
         const glm::dvec2 pixel = m_camera.pixelOf({place, -3.0});
         QVERIFY(cut.pixels > 500);
         QVERIFY(cut.box.contains(qRound(pixel.x), qRound(pixel.y)));
-        // A tile is about 1.25 mm wide; its shadow and the darker corners reach a little further.
+        // A tile is about 1.25 mm wide. Its shadow and the darker corners extend slightly further.
         const double pixelsPerMm = glm::distance(m_camera.pixelOf({0, 0, -3}), m_camera.pixelOf({1, 0, -3}));
         QVERIFY2(cut.box.width() < 4.6 * pixelsPerMm, qPrintable(QString::number(cut.box.width() / pixelsPerMm)));
         QVERIFY2(cut.box.height() < 5.2 * pixelsPerMm, qPrintable(QString::number(cut.box.height() / pixelsPerMm)));
@@ -154,7 +154,7 @@ private slots:
         with.instrumentShown = true;
         const QImage image = draw(with);
         const core::bur::Bur& shape = core::bur::burs()[bur];
-        // Half way up the head, or where it leaves the picture, there is steel, as wide as the bur and not wider.
+        // Half-way up the head, or where it leaves the picture, there is steel as wide as the bur and no wider.
         const glm::dvec3 middle = with.tipMm + glm::dvec3(0.0, 0.0, std::min(0.6 * shape.headLengthMm, 2.5));
         const glm::dvec3 beside((shape.headRadiusMm + 0.12) * m_camera.rightOnTooth(), 0.0);
         const auto changes = [&](glm::dvec3 pointMm, int threshold) {
@@ -177,7 +177,7 @@ private slots:
             QTest::addRow("from %.0f degrees", elevationDeg) << elevationDeg;
     }
 
-    /// The tooth around the tip is seen from every height of the eye; only bur and shank cover some of it.
+    /// Seen from any elevation, the tooth around the tip is visible; only bur and shank cover part of it.
     void handpieceHidesNothingAboutTheTip()
     {
         QFETCH(double, elevationDeg);
@@ -195,7 +195,7 @@ private slots:
             const glm::ivec2 pixel(glm::round(
                 m_camera.pixelOf(onTooth(glm::dvec2(0.0, 0.5) + 1.5 * glm::dvec2(std::cos(angle), std::sin(angle))))));
             ++all;
-            // A shadow darkens; metal, which is bluish, changes the colour.
+            // A shadow darkens the pixel; metal, which is bluish, changes its colour.
             const QColor before(without.pixel(pixel.x, pixel.y));
             const QColor after(image.pixel(pixel.x, pixel.y));
             if (after.blue() - after.red() > before.blue() - before.red() + 25 ||
@@ -215,7 +215,7 @@ private slots:
         QCOMPARE(pictures::difference(first, draw(scene()), 0).pixels, 0);
     }
 
-    /// What is kept of the pictures before must not show: all of it drawn anew looks the same, whatever has changed.
+    /// A picture composed from cached parts must look as if drawn from scratch, whatever has changed.
     void whatIsKeptLooksAsIfDrawnAnew()
     {
         show(support::syntheticMolar());
@@ -258,8 +258,8 @@ private slots:
         compare("the other eye");
     }
 
-    /// A picture with smooth edges is drawn once nothing moves, and is then what the bur moves over: its shadow must
-    /// fall on all of it as on any other.
+    /// When nothing moves, a picture with smooth edges is drawn and cached. When the bur then moves over it, the bur's
+    /// light and shadow must fall on it as on any other picture.
     void aFinePictureThatIsKeptTakesTheBursLight()
     {
         show(support::syntheticMolar());
@@ -273,9 +273,9 @@ private slots:
             const QImage kept = draw(seen);
             return pictures::difference(kept, drawAnew(seen), 12).pixels;
         };
-        // All but the edges, which are smooth in the one.
+        // All pixels are equal except at the edges, which are smooth in one of the pictures.
         QVERIFY(edges() < kWidth * kHeight / 400);
-        // And so after a part of it was drawn again.
+        // The same holds after part of it was drawn again.
         cut({0.0, 0.5}, -4.0F);
         QVERIFY(edges() < kWidth * kHeight / 400);
     }

@@ -36,7 +36,8 @@ namespace {
 
 const glm::vec3 kLight = glm::normalize(glm::vec3(-0.4F, 0.4F, 0.8F));
 
-/// How often each edge of the drawn triangles occurs, upper and lower surface together, nodes told apart by height.
+/// Returns the number of edges of the drawn triangles that do not occur twice. Upper and lower surface are taken
+/// together, and nodes are distinguished by height.
 int openEdges(const ToothSurface& surface)
 {
     std::map<std::array<std::pair<std::uint32_t, float>, 2>, int> edges;
@@ -104,7 +105,7 @@ private slots:
         const auto tooth = support::syntheticMolar(side);
         ToothSurface surface(tooth, kLight);
         QCOMPARE(surface.lattice().side, drawn);
-        // A cut of one tile of the fine grid arrives in the drawn one, at the same place.
+        // A cut of one tile of the fine grid appears in the drawn one at the same place.
         const glm::dvec2 place(1.7, 1.9);
         surface.write(cutTile(*tooth, place, -5.0F));
         surface.refresh();
@@ -138,7 +139,7 @@ private slots:
 
     void refreshedPartsEqualAWholeNewSurface()
     {
-        // Piece by piece, the last one through the flank down to nothing, and all of it at once.
+        // Cut by cut, the last one through the whole flank, compared with all cuts at once.
         const auto tooth = support::syntheticMolar();
         ToothSurface surface(tooth, kLight);
         ToothSurface whole(tooth, kLight);
@@ -179,7 +180,7 @@ private slots:
             atOnce.write(patch);
             const NodeRect near = swept.refresh(true).light;
             QVERIFY(swept.isBehind());
-            // A sweep takes some rows, and the next cut comes into it.
+            // A sweep updates some rows, and the next cut arrives during the sweep.
             const NodeRect some = swept.sweepLight().light;
             QVERIFY(some.endJ - some.beginJ < near.endJ - near.beginJ + 20);
             QVERIFY(swept.isSweeping());
@@ -195,7 +196,7 @@ private slots:
             QVERIFY(lightIsNear(swept, atOnce, k));
     }
 
-    /// By another thread, for another light, and after what is shown was cut.
+    /// In another thread, for another light, and after the shown surface was cut.
     void whatWasWorkedOutBeforehandIsTheSame()
     {
         const auto tooth = support::syntheticMolar(150);
@@ -215,7 +216,7 @@ private slots:
         shown->write(cutTile(*tooth, {0.0, 0.5}, -4.0F));
         shown->refresh();
         QVERIFY(shown->tops() != whole.tops());
-        // Shown again, it is whole; also after others have pushed it from the shelf.
+        // Shown again it is uncut, also after others have replaced it in the cache.
         QVERIFY(isWhole(*ui::render::wholeSurface(tooth, kLight)));
         for (const int side : {100, 110, 120})
             ui::render::workOutSurface(support::syntheticMolar(side), kLight);
@@ -256,7 +257,7 @@ private slots:
         QVERIFY(surface.meet(slanted, point));
         QVERIFY(near(point.z, surface.heightMm({point.x, point.y}), 1e-3));
         QVERIFY(near(point.x + 10.0, 9.0 - point.z, 1e-6));
-        // Nothing of the tooth lies above the ray before it.
+        // No part of the tooth is above the ray before that point.
         for (double t = 0.0; t < 0.99; t += 0.01) {
             const glm::dvec3 before = glm::mix(slanted.originMm, point, t);
             QVERIFY(before.z > surface.heightMm({before.x, before.y}));
@@ -286,8 +287,8 @@ private slots:
                 QTest::addRow("%d", quadrant + place) << quadrant + place;
     }
 
-    /// Where a lesion is open the bur follows the tooth, not a plane above it. And the camera begins where it is seen:
-    /// a ray from the eye meets not a few of its columns first while the other side shows many.
+    /// Where a lesion is open, the bur follows the tooth and not a plane above it. The initial camera sees the lesion:
+    /// rays from the eye must not be blocked from many of its columns while another side shows many.
     void everyDecayIsWorkedOn()
     {
         QFETCH(int, fdi);
@@ -330,7 +331,7 @@ private slots:
         const double whole = surface.topMm(middle).value();
         surface.write(cutTile(*tooth, middle, static_cast<float>(whole - 1.5)));
         surface.refresh();
-        // A ray that comes in flatly meets the wall on the far side half way down.
+        // A flat ray meets the wall on the far side half-way down.
         const double half = 0.5 * (core::servo::kTileSide - 1) * tooth->grid.cellMm;
         const glm::dvec3 wall(middle.x + half + 0.5 * tooth->grid.cellMm, middle.y, whole - 0.7);
         const glm::dvec3 from = wall + glm::dvec3(-1.0, 0.0, 1.2) * 8.0;
@@ -341,7 +342,7 @@ private slots:
         QVERIFY(before - met->z > 0.3);
         QVERIFY(near(surface.belowUncutMm(*met), before - met->z, 1e-5));
         QVERIFY(near(surface.belowUncutMm({middle, whole - 1.5}), 1.5, 1e-4));
-        // What ought to be gone is told from the ideal.
+        // With an ideal, the depth is measured from the ideal.
         auto ideal = std::make_shared<std::vector<float>>(tooth->top);
         for (float& top : *ideal)
             top -= 1.0F;

@@ -47,7 +47,7 @@ private slots:
         m_view->activateWindow();
     }
 
-    /// The view as it begins, with a whole tooth.
+    /// Resets the view to its initial state with a whole tooth.
     void init()
     {
         m_links->servo.publish({});
@@ -101,14 +101,14 @@ private slots:
         QTRY_VERIFY(std::abs(input().pushForceN - PointerControl::kFirstN) < 1e-9);
         m_view->setPad({});
         QTRY_VERIFY(!input().pushing);
-        // A view that was left is pressed anew, not by a trigger that was held.
+        // After the view was left, it must be pressed again; a trigger that is still held has no effect.
         m_view->setPad({.press = 1.0});
         QTRY_VERIFY(input().pushing);
         m_view->release();
         QTRY_VERIFY(!input().pushing);
         m_view->setPad({});
         QVERIFY(QSignalSpy(m_view.get(), &ToothView::frameAdvanced).wait());
-        // From below it does not push.
+        // Seen from below, the trigger does not push.
         QSignalSpy refused(m_view.get(), &ToothView::pushRefused);
         m_view->setCamera(0.0, -40.0, 30.0);
         QTRY_VERIFY(m_view->camera().elevationDeg() < 0.0);
@@ -124,7 +124,7 @@ private slots:
         for (const std::uint64_t other : {m_generation - 1, m_generation + 1})
             QVERIFY(m_links->patches.tryPush(pictures::cutTile(*m_tooth, {1.8, 1.0}, -4.0F, other)));
         QCOMPARE(pictures::difference(before, picture(), 2).pixels, 0);
-        // The tooth that the session already cuts comes to the view with its cuts.
+        // The tooth comes to the view with the cuts that the session already has.
         m_view->setTooth(m_tooth, m_generation + 1);
         QVERIFY(pictures::difference(before, picture(), 12).pixels > 300);
     }
@@ -133,7 +133,7 @@ private slots:
     {
         const QImage before = picture();
         ServoState state = burAt({kCusp, 0.2});
-        state.deviceMm = {kCusp, -5.0};  // the hand is deep inside: it must not matter
+        state.deviceMm = {kCusp, -5.0};  // the hand is deep inside, which must have no effect
         m_links->servo.publish(state);
         const QPoint neck = pixelOf({kCusp, 1.2});
         QVERIFY(pictures::differs(before.pixel(neck), picture().pixel(neck), 15));
@@ -144,10 +144,10 @@ private slots:
         QVERIFY(pictures::differs(before.pixel(there), moved.pixel(there), 15));
     }
 
-    /// Deep in the tooth, where the shank is drawn longer; another bur at the same place wants another length.
+    /// Deep in the tooth the shank is drawn longer. Another bur at the same place needs another length.
     void withLessMotionTheHandpieceIsLiftedAtOnce()
     {
-        // The first picture of a bur.
+        // Returns the first picture of a bur.
         const auto firstOf = [&](std::uint8_t bur) {
             ServoState state = burAt({kCusp, -7.0});
             state.burIndex = bur;
@@ -183,7 +183,7 @@ private slots:
         ServoState state = burAt({});
         m_links->servo.publish(state);
         QVERIFY(picturesUntilRest(*m_view) > 0);
-        state.tick = 500;  // time goes on, nothing moves
+        state.tick = 500;  // time passes, but nothing moves
         m_links->servo.publish(state);
         QCOMPARE(picturesUntilRest(*m_view), 0);
         state.anchorMm.x += 0.5;
@@ -222,7 +222,7 @@ private slots:
             return event.isAccepted();
         };
         QVERIFY(send(QEvent::TabletMove, 0.0, Qt::NoButton));
-        // A pen that hovers moves the bur and does not press it.
+        // A hovering pen moves the bur without pressing.
         QVERIFY(near(pixelOf({pointer().targetMm, pointer().hoverMm}).x(), at.x(), 2.0));
         QVERIFY(!pointer().pushing);
         m_links->servo.publish(burAt({pointer().targetMm, pointer().hoverMm}));
@@ -260,7 +260,7 @@ private slots:
         QVERIFY(!pointer().pushing);
     }
 
-    /// What an attempt was made with is stored with it.
+    /// The input device of an attempt is stored with it.
     void theViewKnowsWhatPushes()
     {
         look(0.0, 88.0);
@@ -277,7 +277,7 @@ private slots:
 
     void theBurStaysUnderAPointerThatRests()
     {
-        // The simulated bur is where the view asks for it, as a free hand is within a tick.
+        // The simulated bur is where the view requests it, as a free hand would be within a tick.
         look(20.0, 48.0);
         const QPoint at = pixelOf({0.0, 1.0, -2.5});
         move(at);
@@ -520,7 +520,8 @@ private slots:
         QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, to);
         const glm::dvec3 placed = m_view->mirror()->centreMm;
         QVERIFY(moved(first) > 0.1);
-        // Taking hold twice is no double click that throws the view back, and another hand leaves it where it is.
+        // Two grabs in quick succession are not a double click that resets the view, and changing the hand does not
+        // move the mirror.
         const double azimuth = m_view->camera().azimuthDeg() + 7.0;
         m_view->setCamera(azimuth, m_view->camera().elevationDeg(), m_view->camera().distanceMm());
         const QPoint held = grip();
@@ -530,7 +531,7 @@ private slots:
         m_view->setLeftHanded(true);
         m_view->resetCamera();
         QCOMPARE(moved(placed), 0.0);
-        // To and fro, moved and tilted by keys.
+        // Moves and tilts the mirror by keys.
         const auto away = [&] { return moved(m_view->camera().eyeMm()); };
         const double before = away();
         click(Qt::Key_PageUp, Qt::AltModifier);
@@ -544,11 +545,11 @@ private slots:
         QCOMPARE(tilted(), 0.0);
         click(Qt::Key_Up, Qt::AltModifier | Qt::ShiftModifier);
         QVERIFY(tilted() > 0.01);
-        // From behind the camera would see the back of the mirror, so the mirror is held from the other side.
+        // From behind, the camera would see the back of the mirror, so the mirror is held from the other side.
         m_view->turnRound();
         const auto& mirror = *m_view->mirror();
         QVERIFY(glm::dot(mirror.normal, m_view->camera().eyeMm() - mirror.centreMm) > 0.0);
-        // Put away and taken again it is where it is held first.
+        // When put away and shown again, the mirror is at its initial place.
         m_view->setLeftHanded(false);
         m_view->turnRound();
         m_view->resetCamera();
@@ -607,7 +608,7 @@ private slots:
             click(Qt::Key_Right, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(m_view->camera().view() == eye);
         QVERIFY(differing() > 3000);
-        // With the mouse as far the other way: what it began with.
+        // With the same mouse motion in the opposite direction the view is as at first.
         const QPoint from(m_view->width() / 2, m_view->height() - 30);
         drag(Qt::RightButton, from, from + QPoint(qRound(-60.0 / 0.35), 0), Qt::ShiftModifier);
         QVERIFY(m_view->camera().view() == eye);
@@ -618,7 +619,7 @@ private slots:
         QVERIFY(differing() < 100);
     }
 
-    /// Mark and tooth are one picture: a mark is where the picture turned over has it.
+    /// Marks and tooth are flipped together: a mark is where the flipped picture shows its place.
     void marksLieOnThePictureHoweverItIsTurnedOver()
     {
         ui::tooth::ExerciseMarks marks;
@@ -706,7 +707,7 @@ private:
         return framesPass(frames) && pointer().targetMm == rest;
     }
 
-    /// Pictures shown until none has come for a while; -1: they do not end.
+    /// Returns the number of pictures until no new one is painted for a while; -1 if they do not end.
     static int picturesUntilRest(ToothView& view)
     {
         // A software driver paints once more with smooth edges, 120 ms after the last change.
@@ -721,7 +722,7 @@ private:
             quietFrames = 0;
             since.start();
         });
-        // While a picture is being painted no frame passes, however long that takes.
+        // No frame passes while a picture is being painted, however long that takes.
         connect(&view, &ToothView::frameAdvanced, &context, [&] { quietFrames += since.hasExpired(kRestMs) ? 1 : 0; });
         return QTest::qWaitFor([&] { return quietFrames >= 3; }, 20000) ? pictures : -1;
     }

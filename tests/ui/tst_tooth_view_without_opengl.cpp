@@ -18,7 +18,7 @@
 
 using ui::tooth::ToothView;
 
-/// On a platform without OpenGL, as Qt's "offscreen" is.
+/// The tooth view on a platform without OpenGL, such as Qt's "offscreen".
 class TestToothViewWithoutOpenGl : public QObject
 {
     Q_OBJECT
@@ -46,13 +46,13 @@ private slots:
         const auto* label = window.findChild<QLabel*>("whyNot");
         QVERIFY(label != nullptr && label->isVisible());
         QVERIFY(label->text().contains("OpenGL 3.3") && label->text().contains("driver"));
-        // Dark like the room around it, in a light theme too, and to be read at arm's length.
+        // Dark like the room around it, also in a light theme, and legible at arm's length.
         const QImage picture = view->picture();
         QCOMPARE(picture.pixelColor(2, 2), ui::kit::roomPalette().color(QPalette::Window));
         QVERIFY(ui::kit::contrast(label->palette().color(label->foregroundRole()), picture.pixelColor(2, 2)) >= 4.5);
         QVERIFY(label->font().pixelSize() >= ui::kit::kBody);
         QVERIFY(label->height() >= label->heightForWidth(label->width()));
-        // Nobody drills what cannot be seen.
+        // Drilling is not possible without a view of the tooth.
         QTest::mousePress(view, Qt::LeftButton);
         QVERIFY(!links.pointer.latest().pushing);
     }
@@ -86,7 +86,7 @@ private slots:
         const auto* actions = window.findChild<ui::kit::Actions*>();
         QVERIFY(!actions->mouth->isVisible());
         QVERIFY(!actions->mouth->isEnabled());
-        // The flat arches are still there, and no button leads elsewhere.
+        // The flat arches are still available, and no button leads to the missing view.
         actions->chooseTooth->trigger();
         QVERIFY(window.findChild<ui::toothchooser::ArchView*>()->isVisible());
         for (const QPushButton* button : window.findChildren<QPushButton*>())

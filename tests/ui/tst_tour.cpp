@@ -104,7 +104,7 @@ private slots:
         m_window->navigation().openLessons();
         QVERIFY(!m_window->view().isVisible());
         m_window->beginTour();
-        QVERIFY(m_window->view().isVisible());  // a guest's first step is the tooth
+        QVERIFY(m_window->view().isVisible());  // a guest's tour begins at the tooth
         QSignalSpy ended(&m_window->navigation(), &ui::window::Navigation::tourEnded);
         press(Qt::Key_Escape);
         QVERIFY(!tour().isVisible());
@@ -142,7 +142,7 @@ private:
     {
         QTest::keyClick(m_window->windowHandle(), key, with);
     }
-    /// Whether the control of this step can be seen beside the card, and the card has room for its words.
+    /// Returns whether the control of this step is visible beside the card, and the card has room for its text.
     [[nodiscard]] bool isInOrder() const
     {
         const QWidget* lit = tour().target();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A window with changes that are not saved asks before they are lost, and only then.
+// A window with unsaved changes asks before they are lost, and only then.
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTableView>
@@ -49,7 +49,7 @@ private slots:
     }
 
     void everyPageIsAskedAbout_data() { support::rows("page", kPages); }
-    /// When the window is closed.
+    /// Closing the window asks about the changes of every page.
     void everyPageIsAskedAbout()
     {
         QFETCH(QString, page);
@@ -58,7 +58,7 @@ private slots:
         m_window->close();
         QVERIFY(m_window->isVisible() && question() != nullptr);
         QVERIFY(!textOf("questionDetail").isEmpty());
-        QVERIFY(!textOf("questionDetail").contains("1234"));  // it opens an account
+        QVERIFY(!textOf("questionDetail").contains("1234"));  // the code gives access to an account
         QTest::keyClick(question(), Qt::Key_Escape);
         QVERIFY(m_window->isVisible() && question() == nullptr);
         QCOMPARE(unsaved(), before);
@@ -101,7 +101,7 @@ private slots:
         leave();
         QVERIFY(question() != nullptr);
         QVERIFY(textOf("questionText").contains(QString::fromStdString(school().admin.fullName())));
-        QVERIFY(textOf("questionDetail").isEmpty());  // it is nobody else's business
+        QVERIFY(textOf("questionDetail").isEmpty());  // the details are not shown to another user
         answer("questionStay");
         QVERIFY(leaves.isEmpty() && m_window->isVisible() && !unsaved().isEmpty());
         leave();
@@ -109,7 +109,7 @@ private slots:
         QCOMPARE(leaves.size(), quits ? 0 : 1);
         QCOMPARE(m_window->isVisible(), !quits);
         QVERIFY(unsaved().isEmpty());
-        // The draft of the lesson waits for its owner, and for nobody else.
+        // The draft of the lesson is kept for its owner only.
         m_window->setWho(school().instructor);
         m_window->setMayEdit(true);
         QVERIFY(unsaved().isEmpty());
@@ -118,7 +118,7 @@ private slots:
         QVERIFY(!unsaved().isEmpty());
     }
 
-    /// Whoever comes next, however that comes about.
+    /// Another user logs in, in whatever way the previous one was logged out.
     void aUserWhoIsLoggedOutLeavesNothing()
     {
         for (const QString& page : kPages)
@@ -129,7 +129,7 @@ private slots:
         QVERIFY(child<QPlainTextEdit>("commentWords")->toPlainText().isEmpty());
     }
 
-    /// In the list of people.
+    /// In the list of users.
     void anotherRowIsChosenAfterTheQuestion()
     {
         change("people");
@@ -192,7 +192,7 @@ private:
         QVERIFY2(!unsaved().isEmpty(), qPrintable(page));
     }
 
-    /// The sentences of all pages.
+    /// Returns the sentences of all pages about unsaved changes.
     QString unsaved() const
     {
         return m_window->adminPage().people().unsavedChanges() + m_window->adminPage().roster().unsavedChanges() +

@@ -47,7 +47,7 @@ AdminPage::AdminPage(const Actions& actions, QWidget* parent)
     offer(Audit, m_audit, [] { return tr("Audit"); });
     offer(Station, m_station, [] { return tr("This computer"); });
     choice->addStretch(1);
-    // A page of its own, which everybody may look at; but what it keeps is the school's.
+    // A page of its own that every user may view. It is linked here because presets are saved in the database.
     choice->addWidget(pageButton(actions.presets, "quiet", this));
     m_choice->button(People)->setChecked(true);
     m_stack->setContentsMargins(kSpace4, 0, kSpace4, kSpace2);

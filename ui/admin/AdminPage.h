@@ -25,7 +25,7 @@ public:
     enum Part { People, Roster, Backups, Audit, Station };
     [[nodiscard]] Part part() const;
     void show(Part part);
-    /// Requests the data of the current part again, because others may have changed them.
+    /// Requests the data of the current part again, because other users may have changed them.
     void readAgain() { emit partOpened(part()); }
 
     [[nodiscard]] PeoplePart& people() { return *m_people; }
@@ -33,11 +33,11 @@ public:
     [[nodiscard]] BackupPart& backups() { return *m_backups; }
     [[nodiscard]] AuditPart& audit() { return *m_audit; }
     [[nodiscard]] StationPart& station() { return *m_station; }
-    /// Sets the titles by which checks and the audit log name lessons.
+    /// Sets the lesson titles for integrity checks and the audit log.
     void setLessonTitles(const text::LessonTitles& titles);
 
 signals:
-    /// Emitted when the data of a part are to be read again.
+    /// Emitted when the data of a part must be read.
     void partOpened(int part);
 
 private:

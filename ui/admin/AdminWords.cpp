@@ -53,7 +53,7 @@ constexpr std::array kSettings{
     std::pair{"idle.minutes", QT_TRANSLATE_NOOP("Admin", "when a place that was left is locked")},
     std::pair{"password.passes", QT_TRANSLATE_NOOP("Admin", "how long checking a password takes")},
     std::pair{"password.memory", QT_TRANSLATE_NOOP("Admin", "how much memory checking a password takes")},
-    // What a login by a name that nobody has is compared with, so that it takes as long as any other.
+    // A login with an unknown name is checked against this hash, so that it takes as long as any other.
     std::pair{"password.decoy", QT_TRANSLATE_NOOP("Admin", "how long a login by a name that nobody has takes")},
     std::pair{"preset.in_use", QT_TRANSLATE_NOOP("Admin", "the preset that everybody uses")},
     std::pair{"preset.retired", QT_TRANSLATE_NOOP("Admin", "which presets are retired")},
@@ -76,14 +76,14 @@ constexpr std::array kWholes{
     std::pair{"audit", QT_TRANSLATE_NOOP("Admin", "the audit")},
 };
 
-/// Returns "my soft v1". The name itself may contain a " v".
+/// Returns the words for a preset entry "my soft v1". The name itself may contain " v".
 QString presetWords(const QString& noted)
 {
     const qsizetype at = noted.lastIndexOf(QStringLiteral(" v"));
     return QCoreApplication::translate("Admin", "preset %1, version %2").arg(noted.left(at), noted.mid(at + 2));
 }
 
-/// Returns "backup-2026-11-20-10.15.00", or the name that a person gave the backup.
+/// Returns the words for "backup-2026-11-20-10.15.00", or for the name that a user gave the backup.
 QString backupWords(const QString& noted)
 {
     QDateTime made = QDateTime::fromString(noted, QStringLiteral("'backup-'yyyy-MM-dd-HH.mm.ss"));
@@ -94,7 +94,7 @@ QString backupWords(const QString& noted)
     return QCoreApplication::translate("Admin", "backup of %1").arg(told);
 }
 
-/// Returns the name for "person:1f...", and for "name:2e...", the key of a login that was tried.
+/// Returns the name for "person:1f...", or for "name:2e...", the key of a failed login.
 QString named(const QString& what, const NamesByUid& names)
 {
     const QString id = what.section(u':', 1);
@@ -125,7 +125,7 @@ QString named(const QString& what, const NamesByUid& names)
     return what;
 }
 
-/// Returns the words for a value of a finding: a time, an action, a lesson, or the object of an action.
+/// Returns the words for a value of an integrity issue: a time, an action, a lesson, or the object of an action.
 QString noted(const QString& value, const NamesByUid& names, const text::LessonTitles& titles)
 {
     if (const auto title = titles.find(value); title != titles.end())
@@ -136,7 +136,7 @@ QString noted(const QString& value, const NamesByUid& names, const text::LessonT
     return action == value ? named(value, names) : action;
 }
 
-/// Returns the words for one detail of an action. Some details are named by their value alone.
+/// Returns the words for one detail of an action. For some details the value alone is shown.
 QString detailOf(const QString& key, const QJsonValue& noted, const NamesByUid& names, const text::LessonTitles& titles)
 {
     constexpr double kTenths = 10.0;

@@ -17,19 +17,19 @@ namespace ui::admin {
 
 /// Returns the name of a role, such as "student".
 [[nodiscard]] QString roleWord(database::Role role);
-/// Returns what was done, such as "has entered a person". An unknown action is returned as stored.
+/// Returns an action in words, such as "has entered a person". Returns an unknown action as stored.
 [[nodiscard]] QString actionWords(const std::string& action);
-/// Returns what is wrong with a line of a class list.
+/// Returns the error in a line of a class list, in words.
 [[nodiscard]] QString rosterFaultWords(const database::RosterFault& fault);
-/// Full names by uid; those of classes by keys such as "class:5".
+/// Full names of people by uid, and names of classes by keys such as "class:5".
 using NamesByUid = std::map<std::string, QString>;
-/// Return who did something, and what it was done to, by name if there is one.
+/// Return the actor and the object of an action, by name if known.
 [[nodiscard]] QString actorWords(const database::AuditRow& row, const NamesByUid& names);
-/// Returns the other details of an audit row in one line, without those that only the integrity check uses.
+/// Returns the other details of an audit row in one line. Omits those that only the integrity check uses.
 [[nodiscard]] QString detailWords(const database::AuditRow& row, const NamesByUid& names,
                                   const text::LessonTitles& titles);
 [[nodiscard]] QString objectWords(const database::AuditRow& row, const NamesByUid& names);
-/// Returns an issue that a check found, with people, classes and lessons by name.
+/// Returns an integrity issue in words, with people, classes and lessons by name.
 [[nodiscard]] QString findingWords(const database::IntegrityIssue& finding, const NamesByUid& names,
                                    const text::LessonTitles& titles);
 

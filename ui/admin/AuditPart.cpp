@@ -31,7 +31,7 @@ namespace {
 
 enum Column { kNumber, kWhen, kWho, kAction, kObject, kDetail, kColumns };
 
-constexpr int kObjectPx = 320;  ///< at least, where it needs so much; what is longer ends in "…"
+constexpr int kObjectPx = 320;  ///< minimum width if the text needs it; longer text is elided
 
 }  // namespace
 
@@ -56,7 +56,7 @@ AuditPart::AuditPart(QWidget* parent)
     m_shown->setSourceModel(m_rows);
     m_table->setObjectName(QStringLiteral("audit"));
     m_table->setModel(m_shown);
-    m_table->setSortingEnabled(false);  // in the order of the chain
+    m_table->setSortingEnabled(false);  // keeps the order of the hash chain
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->verticalHeader()->hide();
@@ -82,8 +82,7 @@ AuditPart::AuditPart(QWidget* parent)
         m_shown->setWords(words);
         tell();
     });
-    // Those that are there stay until the others come, and are no answer any more: between them there are others, or
-    // none of them is wanted.
+    // The rows on display stay until the answer arrives, but they do not match the filter any more.
     connect(m_noAttempts, &QCheckBox::toggled, this, [this] {
         m_isAsked = true;
         tell();
@@ -120,7 +119,7 @@ void AuditPart::tell()
     m_code->setText(tr("Audit code now: %1. Every report shows the code of its day. Type one beside \"Check "
                        "everything\" (Backups) to see whether what was noted before it is still as it was.")
                         .arg(m_head));
-    m_code->setVisible(!m_head.isEmpty());  // of what could not be read there is none
+    m_code->setVisible(!m_head.isEmpty());  // hidden if the log could not be read
     m_count->setText(m_isAsked ? QString() : countWords());
     m_older->setEnabled(m_hasOlder && !m_isAsked);
 }
@@ -164,7 +163,7 @@ void AuditPart::fill()
     fit();
 }
 
-/// Gives the objects, which may be long, the width that the other columns leave, but at least a minimum.
+/// Gives the column of objects, which may be long, the width that the other columns leave. It has a minimum.
 void AuditPart::fit()
 {
     const QAbstractItemView& cells = *m_table;
@@ -209,13 +208,13 @@ void AuditPart::keepRows()
 {
     const QSignalBlocker quiet(m_noAttempts);
     m_noAttempts->setChecked(m_isWithoutAttempts);
-    m_isAsked = m_head.isEmpty();  // none were ever read
+    m_isAsked = m_head.isEmpty();  // if no rows were ever read
     tell();
 }
 
 void AuditPart::addRows(qint64 beforeSeq, const QList<database::AuditRow>& newestFirst, bool hasOlder)
 {
-    if (m_audit.isEmpty() || m_audit.back().seq != beforeSeq)  // asked for twice, or of the others
+    if (m_audit.isEmpty() || m_audit.back().seq != beforeSeq)  // a second answer, or one for the other filter
         return;
     m_audit += newestFirst;
     m_hasOlder = hasOlder;

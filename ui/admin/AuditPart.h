@@ -21,8 +21,8 @@ class WordFilter;
 
 namespace ui::admin {
 
-/// The audit log: what was done, when and by whom, newest first; and the audit code of the newest row, which is printed
-/// on every report.
+/// The audit log, newest first: each action with its time and user. Also shows the audit code of the newest row, which
+/// is printed on every report.
 class AuditPart final : public QWidget
 {
     Q_OBJECT
@@ -31,19 +31,18 @@ public:
 
     void setNames(const NamesByUid& names);
     void setLessonTitles(const text::LessonTitles& titles);
-    /// Returns whether the rows requested next are to leave out attempts. The rows that are shown may still contain
-    /// them.
+    /// Returns whether the next request must leave out attempts. The rows on display may still contain them.
     [[nodiscard]] bool leavesOutAttempts() const;
     /// Replaces the rows.
     /// @param hasOlder  there are older rows than these
     void setRows(const QList<database::AuditRow>& newestFirst, const QString& code, bool hasOlder);
-    /// Ends a request that failed: keeps the rows, and resets the choice about attempts to theirs.
+    /// Ends a failed request. The rows stay, and the filter for attempts is reset to theirs.
     void keepRows();
     /// Appends older rows below the row `beforeSeq`. Does nothing if that is no longer the last row.
     void addRows(qint64 beforeSeq, const QList<database::AuditRow>& newestFirst, bool hasOlder);
 
 signals:
-    /// Emitted when the newest rows are needed, with attempts or without: see leavesOutAttempts().
+    /// Emitted when the newest rows are needed, with or without attempts; see leavesOutAttempts().
     void newestRequested();
     /// Emitted when the rows before this one are needed.
     void olderRequested(qint64 beforeSeq);

@@ -28,7 +28,7 @@ using namespace ui::kit;
 namespace {
 
 constexpr int kLongestCode = 100;
-constexpr int kFile = Qt::UserRole + 1;  ///< of a row
+constexpr int kFile = Qt::UserRole + 1;  ///< path of a row's backup
 
 }  // namespace
 
@@ -57,13 +57,13 @@ BackupPart::BackupPart(QWidget* parent)
     m_codeFault->setObjectName(QStringLiteral("reportCodeFault"));
     m_stop->setObjectName(QStringLiteral("stopWork"));
     m_stop->setProperty("kind", "quiet");
-    m_bar->setRange(0, 0);  // nobody knows how long it takes
+    m_bar->setRange(0, 0);  // the duration is unknown
     m_bar->setTextVisible(false);
     m_findings->setReadOnly(true);
     m_findings->setObjectName(QStringLiteral("findings"));
     m_table->setObjectName(QStringLiteral("backups"));
     m_table->setModel(m_rows);
-    m_table->setSortingEnabled(false);  // newest first
+    m_table->setSortingEnabled(false);  // keeps newest first
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->verticalHeader()->hide();
@@ -107,7 +107,7 @@ void BackupPart::arrange()
     last->addWidget(m_keep);
     last->addStretch(1);
     column->addLayout(last);
-    column->addStretch(1);  // of a server there is no table
+    column->addStretch(1);  // a server has no table of backups
 }
 
 void BackupPart::connectButtons()
@@ -220,7 +220,7 @@ void BackupPart::fill()
     m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
 }
 
-/// Returns the row that the user chose. A row that became current only because the table got the focus does not count.
+/// Returns the selected row. A row that only became current because the table got the focus does not count.
 QModelIndex BackupPart::chosenRow() const
 {
     return m_table->selectionModel()->selectedRows().value(0);
@@ -240,7 +240,7 @@ void BackupPart::setDatabase(const QString& where, bool isServer)
 
 void BackupPart::setBackups(const QList<Backup>& backups)
 {
-    // A question about one of them stays open while they are looked at once more.
+    // An open confirmation about a backup stays while the unchanged list is read again.
     if (backups == m_backups)
         return;
     m_backups = backups;
@@ -281,7 +281,7 @@ void BackupPart::finish(std::function<QString()> sentence, std::vector<database:
     m_found = std::move(findings);
     QWidget* const focused = window()->focusWidget();
     tell();
-    // A button that is disabled loses the focus to what comes next.
+    // Disabling the button moved the focus to the next widget.
     if (m_begunBy != nullptr && focused == m_focusedMeanwhile)
         m_begunBy->setFocus();
     m_begunBy = nullptr;
@@ -296,7 +296,8 @@ void BackupPart::refuseCode()
     m_code->selectAll();
 }
 
-/// Asks once more, since everybody is logged out. The present database is kept beside the restored one.
+/// Restores the selected backup after a confirmation, because every user is logged out. The present database is saved
+/// beside the restored one.
 void BackupPart::restore()
 {
     if (!m_thought->isAsked()) {

@@ -36,8 +36,8 @@ struct Backup
     bool operator==(const Backup&) const = default;
 };
 
-/// Backups of the school's data: creating one, verifying that one can be restored, restoring one; and an integrity
-/// check. One operation at a time, with its progress.
+/// The backups of the school's database: creating a backup, verifying that it can be restored, and restoring it; and
+/// the integrity check. One operation runs at a time, with its progress.
 class BackupPart final : public QWidget
 {
     Q_OBJECT
@@ -50,23 +50,23 @@ public:
     void setBackups(const QList<Backup>& backups);
     void showProgress(const QString& what);
     /// Ends the operation.
-    /// @param sentence  returns the outcome in the current language
-    /// @param findings  the issues that a check found
+    /// @param sentence  returns the result in the current language
+    /// @param findings  the issues that an integrity check found
     /// @param isFault  the operation failed, or found issues
     void finish(std::function<QString()> sentence, std::vector<database::IntegrityIssue> findings = {},
                 bool isFault = false);
-    /// Sets the names of people and classes in the findings.
+    /// Sets the names of people and classes in the issues.
     void setNames(const NamesByUid& names);
     void setLessonTitles(const text::LessonTitles& titles);
-    /// Shows that the text that was typed is not an audit code. No operation has started.
+    /// Shows that the typed text is not an audit code. No operation has started.
     void refuseCode();
 
 signals:
     void backUpRequested();
-    /// Emitted when the user asks for an integrity check.
-    /// @param code  the audit code of a report, as typed; empty: none to compare with
+    /// Emitted when the user requests an integrity check.
+    /// @param code  the audit code of a report, as typed; empty: no comparison
     void checkRequested(const QString& code);
-    /// Emitted when the user asks to replace the database by a backup, which logs everybody out.
+    /// Emitted when the user requests to replace the database by a backup, which logs all users out.
     void restoreRequested(const QString& file);
     void stopRequested();
 
@@ -85,22 +85,22 @@ private:
     QString m_where;
     bool m_isServer = false;
     bool m_isBusy = false;
-    QWidget* m_begunBy = nullptr;           ///< had the focus when the operation began and disabled it
-    QWidget* m_focusedMeanwhile = nullptr;  ///< got the focus from Qt during the operation
-    kit::InlineConfirmation* m_thought;     ///< of restoring a backup
+    QWidget* m_begunBy = nullptr;           ///< widget that had the focus when the operation began and disabled it
+    QWidget* m_focusedMeanwhile = nullptr;  ///< widget that Qt gave the focus during the operation
+    kit::InlineConfirmation* m_thought;     ///< the confirmation before restoring a backup
     QList<Backup> m_backups;
     QLabel* m_words;
     QPushButton* m_backUp;
     QPushButton* m_check;
     QLabel* m_codeCaption;
-    QLineEdit* m_code;  ///< the code of a report
+    QLineEdit* m_code;  ///< the audit code of a report
     QLabel* m_codeFault;
     QPushButton* m_restore;
-    QPushButton* m_keep;  ///< cancels the restore, while it is being confirmed
+    QPushButton* m_keep;  ///< cancels the restore while it is being confirmed
     QPushButton* m_stop;
     QProgressBar* m_bar;
     QLabel* m_said;
-    std::function<QString()> m_sentence;  ///< the outcome of the last operation
+    std::function<QString()> m_sentence;  ///< the result of the last operation
     bool m_isFault = false;
     std::vector<database::IntegrityIssue> m_found;
     NamesByUid m_names;

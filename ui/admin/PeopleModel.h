@@ -9,13 +9,13 @@
 
 namespace ui::admin {
 
-/// A table of all people of the school as text, one row each. There may be thousands, and all are set at once.
+/// A table of all people in the school as text, one row per person. It may have thousands of rows; all are set at once.
 class PeopleModel final : public QAbstractTableModel
 {
     Q_OBJECT
 public:
     enum Column { Name, Username, Role, Classes, LastLogin, State, Columns };
-    /// The id of the person of a row, and the key by which rows are sorted.
+    /// The id of a row's person, and the key by which rows are sorted.
     enum DataRole { Id = Qt::UserRole + 1, SortBy };
 
     struct Row

@@ -42,11 +42,11 @@ using namespace ui::kit;
 using database::Person;
 using database::Role;
 
-constexpr int kId = Qt::UserRole + 1;  ///< of a class in the list of the form
+constexpr int kId = Qt::UserRole + 1;  ///< id of a class in the form's list
 constexpr int kFormPx = 340;
 constexpr int kClassListPx = 110;
 constexpr int kTickPx = 28;
-constexpr int kSoonMs = 100;  ///< what takes longer is told
+constexpr int kSoonMs = 100;  ///< longer operations show a message
 constexpr std::array kRoles{Role::Student, Role::Instructor, Role::Admin};
 
 QString nameOf(const Person& person)
@@ -54,7 +54,7 @@ QString nameOf(const Person& person)
     return QString::fromStdString(person.fullName().empty() ? person.username : person.fullName());
 }
 
-/// A list as high as the fields leave room for, with at least three lines.
+/// A list that takes the height left by the fields, but shows at least three lines.
 class TickList final : public QListWidget
 {
 public:
@@ -131,7 +131,7 @@ QWidget* PeoplePart::makeList()
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->verticalHeader()->hide();
     QHeaderView* const heads = m_table->horizontalHeader();
-    heads->setResizeContentsPrecision(0);  // by the rows in sight: of thousands that takes no time
+    heads->setResizeContentsPrecision(0);  // measures visible rows only, so that thousands of rows cost no time
     for (int section = 0; section < PeopleModel::Columns; ++section)
         heads->setSectionResizeMode(section, QHeaderView::ResizeToContents);
     for (const PeopleModel::Column wide : {PeopleModel::Name, PeopleModel::Username, PeopleModel::Classes})
@@ -141,10 +141,10 @@ QWidget* PeoplePart::makeList()
     connect(m_search, &QLineEdit::textChanged, this, &PeoplePart::filter);
     connect(m_new, &QPushButton::clicked, this, [this] {
         select(0);
-        if (!isHalfFilled())  // else a question is asked
+        if (!isHalfFilled())  // otherwise a question is asked
             m_username->setFocus();
     });
-    // A row that becomes the current one when the table gets the focus was chosen by nobody.
+    // A row that becomes current when the table gets the focus was not chosen by the user.
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         if (const QModelIndexList rows = m_table->selectionModel()->selectedRows(PeopleModel::Name); !rows.isEmpty())
             choose(rows.front().data(PeopleModel::Id).toLongLong());
@@ -177,7 +177,7 @@ QWidget* PeoplePart::makeForm()
     return whole;
 }
 
-/// A card with the one-time code of the person in the form.
+/// Makes the card with the one-time code of the person in the form.
 QWidget* PeoplePart::makeCodeCard(QWidget* form)
 {
     m_codeCard = new QFrame(form);
@@ -196,7 +196,7 @@ QWidget* PeoplePart::makeCodeCard(QWidget* form)
     return m_codeCard;
 }
 
-/// Names and role.
+/// Adds the fields for names and role.
 void PeoplePart::addFields(QVBoxLayout* column, QWidget* form)
 {
     m_username = input("personUsername", form);
@@ -205,7 +205,7 @@ void PeoplePart::addFields(QVBoxLayout* column, QWidget* form)
     m_role = kit::choiceInput({}, form);
     m_role->setObjectName(QStringLiteral("personRole"));
     m_role->setMinimumHeight(m_username->sizeHint().height());
-    // What a field is must be readable when it is filled as well.
+    // Each field has a label above it that stays readable after the field has been filled in.
     const auto headed = [form, column](QWidget* field) {
         auto* word = kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, form);
         word->setBuddy(field);
@@ -222,7 +222,7 @@ void PeoplePart::addFields(QVBoxLayout* column, QWidget* form)
     m_roleWord = headed(m_role);
 }
 
-/// The list of classes, and the name of one to add or rename.
+/// Adds the list of classes, and the field for the name of a class to add or rename.
 void PeoplePart::addClassFields(QVBoxLayout* column, QWidget* form)
 {
     m_classesWord = kit::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, form);
@@ -243,10 +243,10 @@ void PeoplePart::addClassFields(QVBoxLayout* column, QWidget* form)
     column->addLayout(classes);
 }
 
-/// The buttons of the form and what is said beside them.
+/// Adds the buttons of the form and the messages beside them.
 void PeoplePart::addButtons(QVBoxLayout* stack, QWidget* whole)
 {
-    // Answers stand beside the buttons that they answer, however far the form is scrolled.
+    // Messages are beside the buttons, outside the scrolled part, so that they are always visible.
     m_fault = kit::faultLabel(whole);
     m_fault->setObjectName(QStringLiteral("personFault"));
     m_said = kit::formWords({}, kBody, QFont::Normal, QPalette::WindowText, whole);
@@ -311,7 +311,7 @@ void PeoplePart::connectClasses()
     tellRename();
 }
 
-/// Ticks the class whose name was typed, or asks for a new one of that name.
+/// Ticks the class whose name was typed, or requests a new class of that name.
 void PeoplePart::addClass()
 {
     endThought();
@@ -325,13 +325,13 @@ void PeoplePart::addClass()
             say([wanted] { return tr("There is a class %1 already. It is ticked above.").arg(wanted); });
             return;
         }
-    if (wanted.isEmpty() || wanted.toStdString() == m_classAdded)  // it is on its way
+    if (wanted.isEmpty() || wanted.toStdString() == m_classAdded)  // has been requested already
         return;
     m_classAdded = wanted.toStdString();
     emit classRequested(wanted);
 }
 
-/// Withdraws the question that the form asks.
+/// Cancels the question that the form asks. The person stays as they are.
 void PeoplePart::keepAsItIs()
 {
     m_thought->end();
@@ -360,7 +360,7 @@ void PeoplePart::retranslateUi()
     name(m_className, tr("Name of a class"));
     m_table->setAccessibleName(tr("People"));
     m_rows->setHeads({tr("Name"), tr("Login"), tr("Role"), tr("Classes"), tr("Last login"), tr("State")});
-    // No column is narrower than its heading. If there is too little room, the list scrolls.
+    // No column is narrower than its heading. If there is too little room, the list scrolls sideways.
     int widest = 0;
     for (const PeopleModel::Column one : {PeopleModel::Name, PeopleModel::Username, PeopleModel::Classes})
         widest = std::max(widest, m_table->horizontalHeader()->sectionSizeHint(one));
@@ -404,7 +404,7 @@ QString PeoplePart::stateOf(const Person& person, const std::string& nowUtc) con
 void PeoplePart::fill()
 {
     const QSignalBlocker quiet(m_table->selectionModel());
-    // Keeps the scroll position. Scrolls the chosen person into view only if their row was visible before.
+    // Keeps the scroll position. Scrolls the selected person into view only if their row was visible before.
     const int scrolled = m_table->verticalScrollBar()->value();
     const QModelIndex before = rowOf(m_chosen);
     const bool wasSeen = !before.isValid() || m_table->viewport()->rect().intersects(m_table->visualRect(before));
@@ -431,7 +431,7 @@ void PeoplePart::fill()
         m_table->scrollTo(chosen);
 }
 
-/// Returns the row of a person among those that are shown.
+/// Returns the row of a person in the filtered list. The index is invalid if they are not shown.
 QModelIndex PeoplePart::rowOf(qint64 person) const
 {
     for (int row = 0; row < m_shown->rowCount() && person != 0; ++row)
@@ -452,7 +452,7 @@ void PeoplePart::filter()
 void PeoplePart::showFound()
 {
     // Keeps the selection on the person whose form is open. When the search hides their row, the table would select a
-    // neighbouring row. When the row is visible again, it is selected again.
+    // neighbouring row. Selects their row again when it becomes visible.
     const QSignalBlocker quiet(m_table->selectionModel());
     m_shown->setWords(m_search->text());
     m_count->setText(tr("%Ln person(s)", nullptr, m_shown->rowCount()));
@@ -466,7 +466,7 @@ void PeoplePart::setPeople(const QList<Person>& people, const QList<database::Sc
 {
     m_people = people;
     m_classes = classes;
-    // Of a code that was used, or that another was made in the place of.
+    // Forgets codes that have been used or replaced.
     m_codes.removeIf([this](const std::pair<const qint64&, Code&>& one) {
         const Person* const whose = find(one.first);
         return whose == nullptr || whose->hasPassword || whose->codeUntilUtc != one.second.untilUtc;
@@ -487,7 +487,7 @@ void PeoplePart::choose(qint64 person)
     if (m_chosen == person && person != 0)
         return;
     if (isHalfFilled()) {
-        showFound();  // marks the row again that the form shows
+        showFound();  // selects the row of the form's person again
         UnsavedChanges::ask(window(), formWords(), [this, person] {
             m_isTouched = false;
             select(person);
@@ -503,7 +503,7 @@ void PeoplePart::choose(qint64 person)
     if (person == 0) {
         for (QLineEdit* one : {m_username, m_given, m_family})
             one->clear();
-        // Nobody becomes an admin because one was looked at before.
+        // The role is reset, so that nobody becomes an admin because an admin was viewed before.
         m_role->setCurrentIndex(0);
         m_classList->clear();
     }
@@ -534,7 +534,7 @@ PeoplePart::Typed PeoplePart::asEntered(const Person& person)
     return form;
 }
 
-/// Returns the person as they are in the school now, with the user's changes applied.
+/// Returns the person as they are in the database now, with the user's changes applied.
 PeoplePart::Typed PeoplePart::onto(const Person& now, const Typed& typed)
 {
     const Typed before = asEntered(typed.asItWas);
@@ -550,7 +550,7 @@ PeoplePart::Typed PeoplePart::onto(const Person& now, const Typed& typed)
     return form;
 }
 
-/// Fills the form with the person as they are in the school now and keeps the user's changes.
+/// Fills the form with the person as they are in the database now. Keeps the user's changes.
 void PeoplePart::rebase(const Person& now, const Typed& typed)
 {
     const Typed before = asEntered(typed.asItWas);
@@ -572,7 +572,7 @@ void PeoplePart::write(const Typed& typed)
 {
     m_inForm = typed.asItWas;
     const auto put = [](QLineEdit* field, const QString& words) {
-        if (field->text() != words)  // setText() would move the cursor of whoever is typing
+        if (field->text() != words)  // setText() would move the cursor while the user types
             field->setText(words);
     };
     put(m_username, typed.username);
@@ -634,7 +634,7 @@ void PeoplePart::discardChanges()
     fill();
 }
 
-/// Withdraws a question: it was about what was on the screen at that time.
+/// Cancels an open question, because it was about the earlier content of the form.
 void PeoplePart::endThought()
 {
     if (!m_thought->isAsked())
@@ -644,7 +644,7 @@ void PeoplePart::endThought()
     showButtons(chosen());
 }
 
-/// Returns whether an irreversible action was confirmed. The first call asks.
+/// Returns whether the user has confirmed an irreversible action. The first call asks for confirmation.
 bool PeoplePart::isAnswered(Question question)
 {
     if (m_thought->isAsked() && m_question == question) {
@@ -660,7 +660,7 @@ bool PeoplePart::isAnswered(Question question)
     return false;
 }
 
-/// Shows a sentence, also again in another language when that is chosen.
+/// Shows a message and an error. Both are shown again when the language changes.
 void PeoplePart::say(const Words& sentence, const Words& fault)
 {
     m_sentence = sentence;
@@ -674,7 +674,7 @@ bool PeoplePart::isOwn(const Person* person) const
     return person != nullptr && person->uid == m_admin.toStdString();
 }
 
-/// Returns whether a click is the second of a double click whose first has changed the buttons.
+/// Returns whether a click is the second half of a double click whose first half changed the buttons.
 bool PeoplePart::isSecondClick() const
 {
     return m_sinceSubmitted.isValid() &&
@@ -684,7 +684,7 @@ bool PeoplePart::isSecondClick() const
 void PeoplePart::showForm()
 {
     const Person* const person = chosen();
-    // What is being typed outlives news of what others have entered.
+    // The user's input is kept when changes of other users arrive.
     m_isTouched = m_inForm.id.value == m_chosen && m_isTouched;
     m_title->setText(person == nullptr ? tr("New person") : nameOf(*person));
     m_username->setReadOnly(person != nullptr);
@@ -695,7 +695,7 @@ void PeoplePart::showForm()
             write(asEntered(*person));
     } else {
         m_inForm = {};
-        m_inForm.id = {m_chosen};  // whom the list does not have yet
+        m_inForm.id = {m_chosen};  // the new person is not in the list yet
         fillClasses(tickedClasses());
     }
     showButtons(person);
@@ -712,7 +712,7 @@ void PeoplePart::showButtons(const Person* person)
     const auto asks = [this](Question question) { return m_thought->isAsked() && m_question == question; };
     const bool isAsked = m_thought->isAsked();
     const bool ofPassword = asks(Question::Password);
-    // The button above stays where it is when they come; an answer has the whole row.
+    // The button above does not move when they appear. An answer takes the whole row.
     QSizePolicy keepsPlace = m_reset->sizePolicy();
     keepsPlace.setRetainSizeWhenHidden(!isAsked);
     m_reset->setSizePolicy(keepsPlace);
@@ -749,7 +749,7 @@ void PeoplePart::showButtons(const Person* person)
     m_disable->setToolTip(brokenIntoLines(tr("Who is disabled cannot log in; attempts and names stay")));
 }
 
-/// Fills the list of classes: the person's own first, and DEN2 before DEN10.
+/// Fills the list of classes: first the classes of the person, then the others. DEN2 comes before DEN10.
 void PeoplePart::fillClasses(const QSet<qint64>& wanted)
 {
     const auto belongs = [&](const database::SchoolClass& one) {
@@ -763,7 +763,7 @@ void PeoplePart::fillClasses(const QSet<qint64>& wanted)
             return belongs(a);
         return byName.compare(QString::fromStdString(a.name), QString::fromStdString(b.name)) < 0;
     });
-    const QSignalBlocker quiet(m_classList);  // of what the program ticks
+    const QSignalBlocker quiet(m_classList);  // ignores ticks set by the program
     m_classList->clear();
     for (const database::SchoolClass& one : sorted) {
         auto* item = new QListWidgetItem(QString::fromStdString(one.name), m_classList);
@@ -820,7 +820,8 @@ void PeoplePart::submit()
     });
 }
 
-/// Asks before a password is reset: the password would be lost for good, and a shown code may be in use already.
+/// Asks for confirmation before a password is reset. The old password would be lost, and a code on display may be in
+/// use already.
 void PeoplePart::askToReset()
 {
     if (isSecondClick())
@@ -843,7 +844,7 @@ void PeoplePart::toggleDisabled()
         return;
     Person changed = *person;
     changed.disabled = !changed.disabled;
-    // A code is not to be told to who cannot use it.
+    // A disabled user cannot use a code, so it is not shown.
     m_codes.remove(m_chosen);
     showForm();
     QSet<qint64> classes;
@@ -865,9 +866,9 @@ void PeoplePart::confirm(database::PersonId person, const Words& sentence)
     const std::optional<Typed> submitted = std::exchange(m_submitted, std::nullopt);
     if (submitted)
         m_isTouched = m_isTouched && m_inForm.id.value != submitted->person();
-    if (submitted && submitted->person() == 0)  // the buttons of somebody who is there come under the pointer
+    if (submitted && submitted->person() == 0)  // the button for an existing person appears under the pointer
         m_sinceSubmitted.start();
-    if (!isHalfFilled())  // else the user has gone on with somebody else
+    if (!isHalfFilled())  // otherwise the user is editing another person already
         m_chosen = person.value;
     m_className->clear();
     say(sentence);
@@ -881,9 +882,9 @@ void PeoplePart::refuse(const Words& sentence)
 
 void PeoplePart::confirmClass(const QString& name)
 {
-    // When an admin adds a class while the form is being edited, the person in the form shall be in it.
+    // A class that the admin added while editing the form belongs to the person in the form.
     m_isTouched = m_isTouched || !m_classAdded.empty();
-    if (m_className->text().trimmed() == name)  // and not the next already
+    if (m_className->text().trimmed() == name)  // unless the next name has been typed already
         m_className->clear();
     say({});
 }

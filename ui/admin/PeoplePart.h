@@ -33,8 +33,8 @@ namespace ui::admin {
 
 class PeopleModel;
 
-/// The people of the school, and a form for one person: entering, changing, classes, and a one-time code for a person
-/// who has forgotten the password.
+/// The people of the school, and a form to add or change a person, their classes, and a one-time code if they have
+/// forgotten the password.
 class PeoplePart final : public QWidget
 {
     Q_OBJECT
@@ -44,27 +44,27 @@ public:
     /// Returns a sentence in the current language.
     using Words = std::function<QString()>;
 
-    /// Sets the people and classes. The selection stays.
+    /// Sets the people and classes. Keeps the selection.
     void setPeople(const QList<database::Person>& people, const QList<database::SchoolClass>& classes);
-    /// Shows a one-time code, which lets the person log in once. It is stored nowhere in clear, so the form shows it
-    /// until it is used, replaced, or the user logs out.
+    /// Shows a one-time code, with which the person can log in once. No plain copy of it is stored, so the form shows
+    /// it until it is used or replaced, or the user logs out.
     void showCode(const database::Person& person, const QString& code);
-    /// Shows that the request has been carried out, and selects this person unless the form has other changes.
+    /// Shows that the request has succeeded, and selects this person unless the form contains other changes.
     void confirm(database::PersonId person, const Words& sentence);
     void refuse(const Words& sentence);
     /// Shows that a class was added or renamed.
     void confirmClass(const QString& name);
-    /// Shows why a class could not be added or renamed. The name that was typed stays.
+    /// Shows why a class could not be added or renamed. Keeps the typed name.
     void refuseClass(const Words& sentence);
 
     /// Sets the uid of the admin who is logged in; empty: none.
     void setAdmin(const QString& uid) { m_admin = uid; }
-    /// Describes an unsaved form and the one-time codes that are shown; empty: neither.
+    /// Returns a description of an unsaved form and the one-time codes on display. Empty if there are none.
     [[nodiscard]] QString unsavedChanges() const;
     void discardChanges();
 
 signals:
-    /// Emitted when the user enters a new person.
+    /// Emitted when the user adds a person.
     /// @param classes  ids of the person's classes
     void addRequested(const database::NewPerson& person, const QSet<qint64>& classes);
     void changeRequested(const database::Person& person, const QSet<qint64>& classes);
@@ -73,7 +73,7 @@ signals:
     void classNameRequested(qint64 id, const QString& name);
 
 private:
-    /// The contents of a form that is not saved.
+    /// The contents of an unsaved form.
     struct Typed
     {
         database::Person asItWas;  ///< the person when the form was filled; without an id: a new person
@@ -141,8 +141,8 @@ private:
     qint64 m_chosen = 0;        ///< id; 0: a new person
     database::Person m_inForm;  ///< the person of the form, as it was when the form was filled; without an id: a new
                                 ///< person
-    bool m_isTouched = false;   ///< the user has changed the form; the changes survive a reload of the people
-    std::optional<Typed> m_submitted;  ///< the request that is pending
+    bool m_isTouched = false;   ///< the user has changed the form; a reload of the people keeps the changes
+    std::optional<Typed> m_submitted;  ///< the pending request
     QElapsedTimer m_sinceSubmitted;
     QHash<qint64, Code> m_codes;  ///< by person id
     PeopleModel* m_rows = nullptr;
@@ -168,7 +168,7 @@ private:
     QPushButton* m_renameClass = nullptr;
     QPushButton* m_save = nullptr;
     QPushButton* m_reset = nullptr;
-    QPushButton* m_keep = nullptr;  ///< cancels the change that is being confirmed
+    QPushButton* m_keep = nullptr;  ///< cancels the change while it is being confirmed
     QPushButton* m_disable = nullptr;
     kit::InlineConfirmation* m_thought = nullptr;
     Question m_question = Question::Password;
@@ -180,7 +180,7 @@ private:
     QLabel* m_codeWords = nullptr;
     QLabel* m_code = nullptr;
     QPushButton* m_copy = nullptr;
-    std::string m_classAdded;  ///< pending; it is ticked once it is in the list
+    std::string m_classAdded;  ///< requested, and ticked once it is in the list
 };
 
 }  // namespace ui::admin

@@ -40,7 +40,7 @@ constexpr auto* kExample = "username,given_name,family_name,role,class\n"
 
 const QString kFolder = QStringLiteral("folders/roster");
 
-/// Returns the folder of the last class list or the last saved codes.
+/// Returns the folder of the last class list read or the last codes saved.
 QString folder()
 {
     const QString last = memory().value(kFolder).toString();
@@ -71,7 +71,7 @@ RosterPart::RosterPart(QWidget* parent)
     m_table->setModel(m_rows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSortingEnabled(false);  // as the file is
+    m_table->setSortingEnabled(false);  // keeps the order of the file
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setStretchLastSection(true);
     auto* column = new QVBoxLayout(this);
@@ -98,7 +98,7 @@ RosterPart::RosterPart(QWidget* parent)
     m_example->setContentsMargins(kSpace4, kSpace2, kSpace4, kSpace2);
     column->addWidget(m_example, 0, Qt::AlignLeft);
     column->addWidget(m_table, 100);
-    column->addStretch(1);  // where there is no table
+    column->addStretch(1);  // while there is no table
     connect(m_choose, &QPushButton::clicked, this, [this] { leaveCodes([this] { chooseFile(); }); });
     connect(m_enter, &QPushButton::clicked, this, [this] {
         m_isEntering = true;
@@ -165,7 +165,7 @@ QString RosterPart::outcomeWords() const
 
 QString RosterPart::unsavedChanges() const
 {
-    if (m_isEntering)  // the codes are still to come
+    if (m_isEntering)  // the codes have not arrived yet
         return tr("These people are being entered …");
     return !m_isDone || m_isSaved || newcomers() == 0
                ? QString()
@@ -192,7 +192,7 @@ void RosterPart::fill()
         for (const database::RosterFault& fault : m_outcome.faults)
             add({QString::number(fault.line), QString::fromStdString(fault.column), rosterFaultWords(fault)});
     } else {
-        // What it would do, and when that is done the codes.
+        // Shows what the import would do. After the import, shows the one-time codes.
         QStringList heads{tr("Login"), tr("Name"), tr("Role"), tr("Classes"), tr("State")};
         if (m_isDone)
             heads << tr("One-time code");
@@ -261,7 +261,7 @@ void RosterPart::refuseFile(const QString& file, const QString& sentence, const 
     m_fault->setToolTip(brokenIntoLines(technical));
 }
 
-/// Asks before unsaved codes are left, because each would have to be issued anew.
+/// Asks for confirmation before the user leaves unsaved codes, because each would have to be issued again.
 void RosterPart::leaveCodes(const std::function<void()>& what)
 {
     if (unsavedChanges().isEmpty())

@@ -18,7 +18,7 @@ class ListTable;
 
 namespace ui::admin {
 
-/// Imports a class list from a file. First shows line by line what the import would change, then enters it. The
+/// Imports a class list from a file. First shows line by line what the import would change; then imports it. The
 /// one-time codes of new people can be saved afterwards.
 class RosterPart final : public QWidget
 {
@@ -26,21 +26,21 @@ class RosterPart final : public QWidget
 public:
     explicit RosterPart(QWidget* parent);
 
-    /// @param isDone  entered; otherwise only checked
+    /// @param isDone  true after the import; false if the list was only checked
     void showOutcome(const database::RosterOutcome& outcome, const QString& file, bool isDone);
-    /// Shows what is going on.
+    /// Shows the progress.
     void say(const QString& sentence);
-    /// Shows why the checked list could not be entered.
+    /// Shows why the checked list could not be imported.
     void refuse(const QString& sentence);
-    /// Shows why a file is not a class list or cannot be read. Clears the list before it.
+    /// Shows why a file is not a class list or cannot be read. Clears the previous list.
     void refuseFile(const QString& file, const QString& sentence, const QString& technical);
-    /// Describes one-time codes that are not saved; empty: none.
+    /// Returns a description of the unsaved one-time codes. Empty if there are none.
     [[nodiscard]] QString unsavedChanges() const;
     void discardChanges() { showOutcome({}, {}, false); }
 
 signals:
     void fileChosen(const QString& path);
-    /// Emitted when the user asks to enter the checked list.
+    /// Emitted when the user requests the import of the checked list.
     void enterRequested();
 
 protected:
@@ -62,8 +62,8 @@ private:
     QString m_file;
     bool m_isEntering = false;
     bool m_isDone = false;
-    bool m_isSaved = false;  ///< the codes are saved
-    QString m_what;          ///< the last error, or the files saved
+    bool m_isSaved = false;  ///< the codes have been saved
+    QString m_what;          ///< the last error, or the saved files
     bool m_isWrong = false;  ///< m_what is an error
     QLabel* m_words;
     QPushButton* m_choose;

@@ -25,7 +25,7 @@ constexpr int kRows = 8;
 constexpr int kKeyShown = 16;
 constexpr int kLongestIdle = 240;
 
-/// Returns the names of the pointing devices that the desktop reports.
+/// Returns the names of the pointing devices that Qt reports.
 QString foundDevices()
 {
     QStringList found;
@@ -36,7 +36,7 @@ QString foundDevices()
                                device->type() == QInputDevice::DeviceType::TouchPad ||
                                device->type() == QInputDevice::DeviceType::TouchScreen;
         QString name = device->name();
-        name.removeIf([](QChar letter) { return !letter.isPrint(); });  // X11 leaves some behind it
+        name.removeIf([](QChar letter) { return !letter.isPrint(); });  // X11 appends unprintable characters
         if (isPointer && !name.isEmpty())
             found << (isPen ? StationPart::tr("%1 (pen)").arg(name) : name);
     }

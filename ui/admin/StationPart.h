@@ -10,8 +10,8 @@ class QSpinBox;
 
 namespace ui::admin {
 
-/// Facts about this computer: its device, key and versions; and the time after which an idle window is locked, here and
-/// on all computers of the school.
+/// Information about this computer: its device, key and versions. Also the time after which an idle window is locked,
+/// on this and all computers of the school.
 class StationPart final : public QWidget
 {
     Q_OBJECT
@@ -43,7 +43,7 @@ private:
     QList<QLabel*> m_names;
     QList<QLabel*> m_values;
     QSpinBox* m_idle;
-    int m_idleMinutes = 0;  ///< as set for the school
+    int m_idleMinutes = 0;  ///< the school's setting
     QLabel* m_idleWords;
 };
 

@@ -22,7 +22,7 @@ struct ExamWords
 kit::ConfirmOverlay::Question examQuestion(const ::lessons::Lesson& exam, const QString& attempts,
                                            std::function<void()> begin)
 {
-    // Every exam locks these.
+    // Every exam locks these aids.
     QStringList locked{ExamWords::tr("undo"), ExamWords::tr("expert's attempt"), ExamWords::tr("earlier attempts")};
     locked << text::lockedAids(exam.aids);
     const QStringList detail{

@@ -10,7 +10,7 @@
 
 namespace ui::catalog {
 
-/// Returns the card that is shown before an exam: its time, the attempts, and what is locked.
+/// Returns the question shown before an exam: its time, the attempts, and the locked aids.
 /// @param attempts  attempts so far and attempts left, in words
 /// @param begin     called when the user accepts
 [[nodiscard]] kit::ConfirmOverlay::Question examQuestion(const ::lessons::Lesson& exam, const QString& attempts,

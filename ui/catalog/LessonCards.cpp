@@ -36,7 +36,7 @@ QFont titleFont()
     return typeface(kBody, QFont::Medium);
 }
 
-/// Returns the title in lines as wide as a card; the last line is cut off if there are too many.
+/// Wraps the title to the width of a card. Elides the last line if there are too many.
 QStringList titleLines(const QString& title)
 {
     const double wide = kCardPx - 2.0 * (kCardEdgePx + kPadPx);
@@ -65,7 +65,7 @@ LessonCards::LessonCards(LessonThumbs& thumbs, std::function<const ::lessons::Le
 QSize LessonCards::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const
 {
     if (index.data(CardEntry).isValid()) {
-        // As high as its words: the title, the tooth, and the class if it is assigned.
+        // Height for the title, the tooth, and the class if the lesson is assigned.
         const auto titles = static_cast<int>(titleLines(index.data(Qt::DisplayRole).toString()).size());
         const int others = index.data(CardDue).toString().isEmpty() ? 1 : 2;
         return {kCardPx, kPicturePx + kAboveWordsPx + titles * QFontMetrics(titleFont()).height() +
@@ -90,7 +90,7 @@ void LessonCards::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     painter->restore();
 }
 
-/// Paints the tooth of a lesson, or an icon where it has no picture. A null lesson is a file that is not valid.
+/// Paints the tooth of a lesson, or an icon if it has no picture. A null lesson is an invalid file.
 void LessonCards::paintPicture(QPainter& painter, const QRectF& picture, const QPainterPath& shape,
                                const ::lessons::Lesson* lesson) const
 {
@@ -112,7 +112,7 @@ void LessonCards::paintPicture(QPainter& painter, const QRectF& picture, const Q
 
 void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
 {
-    const QPalette palette = m_view->parentWidget()->palette();  // the view's own has no ground
+    const QPalette palette = m_view->parentWidget()->palette();  // the view's own has no background
     const bool isSelected = option.state.testFlag(QStyle::State_Selected);
     const bool isHovered = option.state.testFlag(QStyle::State_MouseOver);
     const QRectF card = QRectF(option.rect).adjusted(kCardEdgePx, kCardEdgePx, -kCardEdgePx, -kCardEdgePx);

@@ -16,9 +16,9 @@ using ::lessons::Lesson;
 using ::lessons::Task;
 
 constexpr int kLeastHeightPx = 240;
-constexpr int kLeastSectionPx = 300;  ///< of a section in particular, which has a scale and a key
+constexpr int kLeastSectionPx = 300;  ///< minimum size of a section, which has a scale and a key
 constexpr int kMostHeightPx = 460;
-constexpr double kWidthToHeight = 1.05;  ///< of one picture
+constexpr double kWidthToHeight = 1.05;  ///< width to height of one picture
 constexpr double kGapPx = 8.0;
 
 }  // namespace
@@ -40,7 +40,7 @@ LessonPicture::~LessonPicture()
 QSize LessonPicture::sizeHint() const
 {
     const QSize least = minimumSizeHint();
-    return {2 * least.width(), least.height()};  // and more where there is room
+    return {2 * least.width(), least.height()};  // grows if there is room
 }
 
 QSize LessonPicture::minimumSizeHint() const
@@ -76,7 +76,7 @@ void LessonPicture::startIfWanted()
     if (!m_lesson || m_isAtWork || m_scene || m_cannot || !isVisible())
         return;
     m_isAtWork = true;
-    // The destructor waits for the pool, and takes with it what was still to come here.
+    // The destructor waits for the pool, so `this` is valid. It also removes queued calls.
     m_pool.start([this, lesson = *m_lesson] {
         const auto scene = makeLessonScene(lesson);
         QMetaObject::invokeMethod(
@@ -101,7 +101,7 @@ void LessonPicture::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const bool hasSection = m_scene && m_scene->plane;
-    // Beside the section, where there is one.
+    // The tooth is to the left of the section, if there is a section.
     const double wide = std::min(kWidthToHeight * height(), hasSection ? 0.5 * (width() - kGapPx) : 1.0 * width());
     const QRectF left(0.0, 0.0, wide, height());
     if (!m_scene) {

@@ -64,11 +64,11 @@ core::imaging::SectionPlane planeThroughIdeal(const core::terrain::ToothAnatomy&
         const glm::dvec2 out = ideal.box->outwards;
         const glm::dvec2 aside(-out.y, out.x);
         glm::dvec2 through = ideal.box->atMm;
-        if (ideal.isthmus) {  // within the box, and as near to the isthmus as that allows
+        if (ideal.isthmus) {  // inside the box, and as near to the isthmus as the box allows
             const double most = std::max(0.0, 0.5 * ideal.box->widthMm - kFromBoxWallMm);
             through += aside * std::clamp(glm::dot(ideal.isthmus->atMm - through, aside), -most, most);
         }
-        // The left of the picture stays the left of the tooth, whichever way the box opens.
+        // The left of the picture is the left of the tooth, whichever way the box opens.
         const bool isBack = std::abs(out.x) > std::abs(out.y) ? out.x < 0.0 : out.y < 0.0;
         return {through, isBack ? std::atan2(-out.y, -out.x) : std::atan2(out.y, out.x)};
     }
@@ -102,7 +102,7 @@ bool isPictured(const Lesson& lesson)
     return lesson.task != Task::TellLayers;
 }
 
-/// Returns whether the ideal may be shown: a student who has to find the decay must not see its end.
+/// Returns whether the ideal may be shown. A student who must find the decay must not see where it ends.
 bool isIdealTold(const Lesson& lesson)
 {
     return lesson.aids.ideal && (lesson.task == Task::CutIdeal || lesson.task == Task::TraceShape);

@@ -20,8 +20,9 @@ namespace ui::catalog {
 /// Background of lesson pictures: dark in both themes.
 inline constexpr QRgb kPictureGround = 0xFF15181A;
 
-/// The contents of a lesson's preview: the tooth, with the decay that is visible on its surface; the ideal, if it is an
-/// aid of the lesson and there is no decay to find; and a section through either, if sections are an aid.
+/// The contents of a lesson's preview: the tooth with the decay that is visible on its surface; the ideal, if it is an
+/// aid of the lesson and there is no decay to find; and a section through the decay or the ideal, if sections are an
+/// aid.
 struct LessonScene
 {
     ::lessons::Assignment assignment;
@@ -33,7 +34,7 @@ struct LessonScene
     std::optional<core::imaging::SectionPlane> plane = {};  ///< empty: no section
 };
 
-/// Returns whether a lesson has a preview. False for lessons in which the tooth is felt and not seen.
+/// Returns whether a lesson has a preview. Lessons in which the student feels the tooth and does not see it have none.
 [[nodiscard]] bool isPictured(const ::lessons::Lesson& lesson);
 /// Returns whether the preview may show the ideal.
 [[nodiscard]] bool isIdealTold(const ::lessons::Lesson& lesson);
@@ -47,8 +48,8 @@ struct LessonScene
 [[nodiscard]] core::imaging::SectionPlane planeThroughIdeal(const core::terrain::ToothAnatomy& anatomy,
                                                             const core::grading::Preparation& ideal);
 
-/// Builds the tooth of a lesson, which is slow. Null if the tooth cannot be built; starting the lesson shows the
-/// reason. Any thread.
+/// Builds the tooth of a lesson, which is slow. Returns null if that fails; starting the lesson then shows the reason.
+/// Any thread.
 [[nodiscard]] std::shared_ptr<const LessonScene> makeLessonScene(const ::lessons::Lesson& lesson);
 
 /// Returns the section of a scene. The scene must have a plane and outlive the result.

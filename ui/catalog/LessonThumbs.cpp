@@ -12,7 +12,7 @@ namespace ui::catalog {
 namespace {
 
 constexpr double kThumbGapPx = 6.0;
-constexpr double kAboveShare = 0.54;  ///< of the width, for the tooth from above where a section stands beside it
+constexpr double kAboveShare = 0.54;  ///< share of the width for the tooth from above, if there is a section beside it
 
 }  // namespace
 
@@ -53,7 +53,7 @@ void LessonThumbs::makeNext()
     if (m_isAtWork || m_wanted.isEmpty())
         return;
     m_isAtWork = true;
-    // The destructor waits for the pool, and takes with it what was still to come here.
+    // The destructor waits for the pool, so `this` is valid. It also removes queued calls.
     m_pool.start([this, wanted = m_wanted.takeLast()] {
         QImage image;
         if (const auto scene = makeLessonScene(wanted.lesson)) {
@@ -64,7 +64,7 @@ void LessonThumbs::makeNext()
             painter.setRenderHint(QPainter::Antialiasing);
             const QRectF whole({}, QSizeF(wanted.size));
             QRectF above = whole;
-            // The shape of a block is all that its lesson is about.
+            // A lesson about tracing a shape has no section.
             const bool hasSection = scene->plane && wanted.lesson.task != ::lessons::Task::TraceShape;
             if (hasSection)
                 above.setWidth(kAboveShare * whole.width());

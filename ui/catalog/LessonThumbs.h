@@ -19,8 +19,8 @@ public:
     explicit LessonThumbs(QObject* parent);
     ~LessonThumbs() override;
 
-    /// Returns the picture of a lesson. Null if it is not built yet, in which case changed() follows, or if it cannot
-    /// be built. The newest request is served first.
+    /// Returns the picture of a lesson. Returns null if the picture cannot be built, or is not built yet; in the latter
+    /// case changed() follows. The newest request is served first.
     /// @param size   logical pixels
     /// @param ratio  device pixels per logical pixel
     [[nodiscard]] QPixmap picture(const ::lessons::Lesson& lesson, const QSize& size, double ratio);

@@ -55,7 +55,7 @@ constexpr int kArchPx = 300;
 QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
     auto* made = new QLabel(words, parent);
-    made->setTextFormat(Qt::PlainText);  // a teacher's words, whatever they look like
+    made->setTextFormat(Qt::PlainText);  // a teacher's text may look like rich text
     made->setFont(typeface(size, weight));
     made->setForegroundRole(role);
     made->setWordWrap(true);
@@ -183,7 +183,7 @@ void LessonsPage::makeCards(QWidget* side)
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
-    // Its room is kept, or cards would move to and fro; where there is nothing to scroll, nothing is drawn in it.
+    // The scroll bar's space is reserved, so that cards do not move. It is not drawn if there is nothing to scroll.
     QScrollBar* const bar = m_list->verticalScrollBar();
     connect(bar, &QScrollBar::rangeChanged, bar, [bar](int low, int high) { bar->setEnabled(low < high); });
     m_list->setFrameShape(QFrame::NoFrame);
@@ -192,7 +192,7 @@ void LessonsPage::makeCards(QWidget* side)
     m_list->installEventFilter(this);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &LessonsPage::describe);
     connect(m_list, &QListView::activated, this, &LessonsPage::start);
-    // A click beside the cards chooses nothing else.
+    // A click beside the cards does not change the selection.
     connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         if (m_list->currentIndex().isValid() && !m_list->selectionModel()->hasSelection())
             m_list->selectionModel()->select(m_list->currentIndex(), QItemSelectionModel::Select);
@@ -260,7 +260,7 @@ QWidget* LessonsPage::makeContinue(QWidget* parent)
     return m_continue;
 }
 
-/// Shows the arch below its button until a tooth is picked. Its number is then searched for.
+/// Shows the arch below its button until the user picks a tooth. Then searches for the number of that tooth.
 void LessonsPage::pickTooth()
 {
     auto* popup = new QFrame(this, Qt::Popup);
@@ -277,7 +277,7 @@ void LessonsPage::pickTooth()
         m_list->setFocus();
     };
     connect(arch, &ArchView::toothActivated, popup, take);
-    // A click takes it at once; with the arrow keys one goes on looking until Enter.
+    // A click picks a tooth at once. The arrow keys only move, and Enter picks.
     arch->installEventFilter(popup);
     for (auto* button : arch->findChildren<ArchTooth*>())
         connect(button, &ArchTooth::clicked, popup, [take, button] { take(button->fdi()); });
@@ -347,8 +347,8 @@ void LessonsPage::setLessons(std::vector<CatalogEntry> entries, std::map<std::st
     m_entries = std::move(entries);
     m_standings = std::move(standings);
     m_given = std::move(given);
-    // What is given and not passed yet comes first, by when it is due; faulty ones last; of one kind in the order of
-    // their files.
+    // Order: assigned lessons that are not passed, by due date; then the others by group; invalid files last. Equal
+    // ones are in the order of their files.
     std::stable_sort(m_entries.begin(), m_entries.end(), [this](const CatalogEntry& a, const CatalogEntry& b) {
         const auto place = [this](const CatalogEntry& entry) {
             using Place = std::pair<std::pair<int, std::string>, qint64>;
@@ -379,7 +379,7 @@ const Given* LessonsPage::givenOf(const CatalogEntry& entry) const
     return found == m_given.end() ? nullptr : &found->second;
 }
 
-/// Returns whether a teacher has assigned the lesson and it is not passed yet.
+/// Returns whether a teacher has assigned the lesson and the student has not passed it yet.
 bool LessonsPage::isToDo(const CatalogEntry& entry) const
 {
     const Standing* const standing = standingOf(entry);
@@ -393,14 +393,14 @@ void LessonsPage::setUnfinished(const std::function<QString()>& title, const QDa
     tellContinue();
 }
 
-/// Returns whether all attempts at the lesson are used.
+/// Returns whether the student has used all attempts at the lesson.
 bool LessonsPage::isUsedUp(const CatalogEntry& entry) const
 {
     const Given* const given = givenOf(entry);
     return given != nullptr && given->attemptsLeft && *given->attemptsLeft <= 0;
 }
 
-/// Returns the lesson tried last, if it was never passed and can be tried again.
+/// Returns the lesson tried last if it was never passed and can be tried again, otherwise null.
 const CatalogEntry* LessonsPage::lastTried() const
 {
     const CatalogEntry* last = nullptr;
@@ -462,7 +462,7 @@ void LessonsPage::tellFeedback()
                             QString::fromStdString(newest.author));
 }
 
-/// Says which lessons are missing here: a teacher's own lesson may be only on that teacher's computer.
+/// Lists assigned lessons whose file is missing: a teacher's own lesson may exist only on that teacher's computer.
 void LessonsPage::tellMissing()
 {
     QStringList missing;
@@ -481,7 +481,7 @@ void LessonsPage::forget()
     m_search->clear();
     m_filter->button(static_cast<int>(Filter::All))->setChecked(true);
     fillList();
-    m_list->setCurrentIndex({});  // the next list chooses its own first
+    m_list->setCurrentIndex({});  // the next list selects its own first card
 }
 
 void LessonsPage::setPresent(const std::string& lessonId)
@@ -562,7 +562,7 @@ void LessonsPage::fillCard(QStandardItem& item, const CatalogEntry& entry) const
     item.setData(notes.join(QStringLiteral(", ")), Qt::AccessibleDescriptionRole);
 }
 
-/// Returns the words in which a lesson is searched; neither its dates nor its points are among them.
+/// Returns the text in which a lesson is searched. It does not contain dates or points.
 QString LessonsPage::searchedWords(const CatalogEntry& entry) const
 {
     const auto& lesson = entry.read.lesson;
@@ -577,7 +577,8 @@ QString LessonsPage::searchedWords(const CatalogEntry& entry) const
     return words.join(u' ');
 }
 
-/// Returns the wanted entries that contain every word. Entries on a tooth whose number is one of the words come first.
+/// Returns the matching entries, which contain every word. Entries on a tooth whose number is one of the words come
+/// first.
 std::vector<std::size_t> LessonsPage::found() const
 {
     const QStringList words = m_search->text().split(u' ', Qt::SkipEmptyParts);
@@ -622,13 +623,13 @@ void LessonsPage::fillList()
     describe();
 }
 
-/// Searches, and chooses the first match, so that Enter starts it.
+/// Searches, and selects the first match, so that Enter starts it.
 void LessonsPage::search()
 {
     fillList();
     if (m_search->text().trimmed().isEmpty())
         return;
-    m_list->setCurrentIndex(m_model->index(std::min(1, m_model->rowCount() - 1), 0));  // beneath its heading
+    m_list->setCurrentIndex(m_model->index(std::min(1, m_model->rowCount() - 1), 0));  // below its heading
     m_list->scrollToTop();
 }
 
@@ -651,7 +652,8 @@ void LessonsPage::choose(const ::lessons::Lesson& lesson)
     begin(lesson, [this, lesson] { emit lessonChosen(lesson); });
 }
 
-/// Returns how often a lesson was graded and how many attempts are left: "1 attempt(s) left, 2 graded so far".
+/// Returns how often a lesson was graded and how many attempts are left, for example "1 attempt(s) left, 2 graded so
+/// far".
 QString LessonsPage::attemptsWords(const std::string& lessonId) const
 {
     const auto given = m_given.find(lessonId);
@@ -689,7 +691,7 @@ const ::lessons::Lesson* LessonsPage::next() const
             return &*entry.read.lesson;
     if (present == nullptr)
         return nullptr;
-    // As in the catalog: assigned lessons have been moved to the front of the list.
+    // In the order of the catalog, because assigned lessons have been moved to the front of this list.
     const auto place = [](const CatalogEntry& entry) { return std::pair(!entry.isShipped, entry.read.file); };
     const auto group = text::groupPlace(*present->read.lesson);
     const CatalogEntry* after = nullptr;
@@ -716,7 +718,7 @@ void LessonsPage::describe()
     grid->setVerticalSpacing(kSpace2);
     grid->setColumnMinimumWidth(0, kFactWidthPx);
     grid->setColumnStretch(1, 1000);
-    grid->setColumnStretch(2, 1);  // what the values leave over
+    grid->setColumnStretch(2, 1);  // the rest of the width
     m_factsSlot->addWidget(m_facts);
     const CatalogEntry* entry = chosen();
     const bool isSound = entry != nullptr && entry->read.lesson.has_value();
@@ -727,7 +729,7 @@ void LessonsPage::describe()
     m_picture->setLesson(isSound ? entry->read.lesson : std::nullopt);
     m_edit->setVisible(isSound && m_mayEdit);
     const bool isSearched = !m_search->text().trimmed().isEmpty();
-    const bool isEmpty = m_entries.empty();  // some are shipped: they are not read yet
+    const bool isEmpty = m_entries.empty();  // shipped lessons always exist, so the list has not been read yet
     m_title->setText(isEmpty            ? tr("Loading the lessons …")
                      : entry == nullptr ? tr("No matching lessons")
                                         : nameOf(*entry));
@@ -746,8 +748,8 @@ void LessonsPage::describe()
     }
 }
 
-/// Returns the classes that a lesson is assigned to, with the days it is due and the attempts that are left.
-/// @param done  null if nothing is done yet
+/// Returns the classes that a lesson is assigned to, with due dates and the number of attempts left.
+/// @param done  null if the student has not tried the lesson
 QString LessonsPage::assignedWords(const Given& given, const Standing* done)
 {
     const QDateTime now = QDateTime::currentDateTime();
@@ -760,7 +762,7 @@ QString LessonsPage::assignedWords(const Given& given, const Standing* done)
     };
     const QString left = given.attemptsLeft ? tr("%n attempt(s) left", nullptr, *given.attemptsLeft) : QString();
     QStringList what;
-    if (given.classes.size() > 1) {  // each has its day
+    if (given.classes.size() > 1) {  // each class has its own due date
         for (const auto& [className, due] : given.classes)
             what << whatOf(className, due);
         what << left;
@@ -771,7 +773,7 @@ QString LessonsPage::assignedWords(const Given& given, const Standing* done)
     return what.join(u'\n');
 }
 
-/// Returns what is known of a lesson, line by line, and the faults of its file.
+/// Returns the facts about a lesson, line by line, and the errors in its file.
 QList<LessonsPage::Fact> LessonsPage::factsOf(const CatalogEntry& entry) const
 {
     QList<Fact> facts;
@@ -817,8 +819,8 @@ void LessonsPage::showEvent(QShowEvent* event)
     m_list->setFocus();
 }
 
-/// Moves to the card that is furthest down, or up, within a page, and of those to the one nearest to the side. Qt finds
-/// none among cards whose headings take whole rows.
+/// Moves by a page: to the lowest (or highest) card within a page's height, and of these to the nearest one to the
+/// side. Qt's own search fails among cards with headings that span whole rows.
 void LessonsPage::turnPage(bool down)
 {
     const QRect from = m_list->visualRect(m_list->currentIndex());
@@ -842,7 +844,7 @@ void LessonsPage::turnPage(bool down)
     }
 }
 
-/// Lets the keyboard go from the search to the list, and back by typing.
+/// Moves the focus from the search field to the list by arrow keys, and back when the user types.
 bool LessonsPage::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_list && (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress)) {

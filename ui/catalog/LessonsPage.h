@@ -57,8 +57,9 @@ struct Given
     std::vector<std::pair<QString, QDateTime>> classes = {};
 };
 
-/// The home page of a student: all lessons as cards, those due first, with a search, filters and an arch to pick a
-/// tooth; the description of the chosen lesson; and the work to continue. An invalid lesson is listed with its errors.
+/// The home page of a student: all lessons as cards, those due first, with a search, filters and an arch to select a
+/// tooth; the description of the selected lesson; and the attempt that can be continued. An invalid lesson is listed
+/// with its errors.
 class LessonsPage final : public kit::Page
 {
     Q_OBJECT
@@ -80,15 +81,15 @@ public:
     void setMayEdit(bool may);
     /// Sets the lesson files that have unsaved changes in the editor, which the list marks.
     void setUnsaved(const QSet<QString>& files);
-    /// Clears the search, the filter and the selection, for another user.
+    /// Resets the search, the filter and the selection, for another user.
     void forget();
-    /// Returns the chosen entry; null: none.
+    /// Returns the selected entry, or null.
     [[nodiscard]] const ::lessons::CatalogEntry* chosen() const;
-    /// Calls `begin`, for an exam after the user has accepted the card that examAsked() carries.
+    /// Calls `begin`. For an exam, first emits examAsked() with a question and calls it after the user has accepted.
     void begin(const ::lessons::Lesson& lesson, const std::function<void()>& begin);
     /// Sets the number of attempts left at a lesson until the next setLessons(); empty: no limit.
     void setAttemptsLeft(const std::string& lessonId, std::optional<int> left);
-    /// Adds the score of the current lesson until setLessons() brings it from the database.
+    /// Adds the score of the current lesson. It counts until setLessons() replaces it by the one in the database.
     void takeScore(int tenths, bool passed);
     /// Returns the lesson to do next: the first assigned lesson that is not passed yet, otherwise the next lesson of
     /// the same group in the order of the catalog; null: none.
@@ -97,14 +98,14 @@ public:
     void startNext();
 
 signals:
-    /// Emitted when an exam is to begin, with the card that begins it.
+    /// Emitted when an exam would begin, with the question that begins it.
     void examAsked(const kit::ConfirmOverlay::Question& card);
     void lessonChosen(const ::lessons::Lesson& lesson);
     void folderRequested();
-    /// Emitted when the user asks to continue the unfinished attempt.
+    /// Emitted when the user requests to continue the unfinished attempt.
     void resumeRequested();
     void discardRequested();
-    /// Emitted when the user asks to read the feedback on an attempt; 0: there is feedback on several.
+    /// Emitted when the user requests the feedback on an attempt. 0: there is feedback on several attempts.
     void feedbackRequested(qint64 attempt);
 
 protected:

@@ -20,7 +20,7 @@ struct Dot
     double y = 0.0;
     QString words;        ///< the value as a sentence
     std::int64_t id = 0;  ///< the attempt that a click opens; 0: none
-    QString of{};         ///< in the table of the chart: what the value belongs to, under Curve::ofTitle
+    QString of{};         ///< subject of the value in the exported table, under Curve::ofTitle
     QString note{};       ///< written beside it
     bool operator==(const Dot&) const = default;
 };
@@ -49,7 +49,7 @@ struct Line
     bool operator==(const Line&) const = default;
 };
 
-/// The middle half of many people at one position.
+/// The middle half of the values of many people at one position.
 struct Slice
 {
     double x = 0.0;
@@ -62,8 +62,8 @@ struct Slice
 
 struct Band
 {
-    QString name;        ///< of the middle half
-    QString middleName;  ///< of the line in it
+    QString name;        ///< name of the middle half
+    QString middleName;  ///< name of the line in it
     QList<Slice> slices;
     bool operator==(const Band&) const = default;
 };
@@ -82,9 +82,9 @@ struct Axis
     QString title;
     double low = 0.0;
     double high = 1.0;
-    bool isWhole = false;  ///< counts: no ticks between whole numbers
+    bool isWhole = false;  ///< counts: ticks at whole numbers only
     double base = 0.0;     ///< base of a logarithmic axis; 0: the axis is linear
-    QStringList labels{};  ///< instead of numbers, at 0, 1, 2 ...
+    QStringList labels{};  ///< instead of numbers, at the values 0, 1, 2 ...
 
     /// Returns the position of a value on the axis: 0 at the low end, 1 at the high end.
     [[nodiscard]] double shareOf(double value) const;
@@ -149,8 +149,8 @@ struct Map
         bool operator==(const Cell&) const = default;
     };
     QStringList rows;
-    QStringList groups;   ///< of columns
-    QStringList columns;  ///< in each group
+    QStringList groups;   ///< names of the groups of columns
+    QStringList columns;  ///< names of the columns in each group
     QString columnTitle;
     QList<QList<Cell>> cells;  ///< [row][group * columns + column]
     bool operator==(const Map&) const = default;
@@ -159,19 +159,20 @@ struct Map
 struct Chart
 {
     QString title;
-    QString note;        ///< what a reader must know: the number of people, the dates
+    QString note;        ///< what a reader must know, for example the number of people and the dates
     QString emptyWords;  ///< shown instead of a chart without values: what the chart will show, and what is needed for
                          ///< it
     std::variant<Curve, Bars, Histogram, Map> content;
-    QString of{};  ///< the subject of the chart in a saved file, apart from its page: "Year 1, Decay on 36"
+    QString of{};  ///< subject of the chart in an exported file: "Year 1, Decay on 36"
     bool operator==(const Chart&) const = default;
 };
 
-/// Returns the chart reduced to the rows that fit: of bars the first ones, and a row with the number of those left out.
+/// Returns the chart reduced to a number of rows. Of bars, keeps the first ones and adds a row with the number of
+/// omitted ones.
 [[nodiscard]] Chart fitted(const Chart& chart, int rows);
 
-/// Returns all values that can be selected: from left to right, of bars and maps from top to bottom; in the coordinates
-/// of the chart. Bar k is at height -k, and the middle of the first cell of a map at (0.5, -0.5).
+/// Returns all values that can be selected, in the coordinates of the chart: from left to right, and from top to bottom
+/// for bars and maps. Bar k is at height -k, and the middle of a map's first cell is at (0.5, -0.5).
 [[nodiscard]] QList<Dot> stopsOf(const Chart& chart);
 
 /// Returns the horizontal and the vertical axis, extended so that shapes at the ends are fully visible.

@@ -19,7 +19,7 @@ namespace {
 using namespace ui::kit;
 
 constexpr double kRingPx = 8.0;
-constexpr double kReachPx = 40.0;  ///< from the pointer to a value
+constexpr double kReachPx = 40.0;  ///< distance from the pointer to a value
 constexpr int kCalloutPx = 300;
 
 QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
@@ -120,7 +120,7 @@ std::optional<qsizetype> ChartPanel::nearest(const QPointF& at) const
     double bestPx = isBars || isColumns ? 1.0e9 : kReachPx;
     for (qsizetype k = 0; k < m_stops.size(); ++k) {
         const QPointF away = plot.at(m_stops[k].x, m_stops[k].y) - at;
-        // A bar is met at any length, a column at any height.
+        // A horizontal bar is hit at any x, a column at any y.
         const double awayPx = isBars      ? std::abs(away.y())
                               : isColumns ? std::abs(away.x())
                                           : std::hypot(away.x(), away.y());
@@ -159,7 +159,7 @@ void ChartPanel::paintOver(QPainter& painter)
     painter.drawEllipse(plot().at(m_stops[*m_stop].x, m_stops[*m_stop].y), kRingPx, kRingPx);
 }
 
-/// Shows the ring around the value, and its words beside it.
+/// Shows a ring around the selected value and a label beside it.
 void ChartPanel::tell()
 {
     view()->update();

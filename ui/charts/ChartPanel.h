@@ -12,8 +12,8 @@ namespace ui::charts {
 class SaveButton;
 
 /// A chart with its title. The pointer, or the arrow keys when the chart has the focus, select values, and each is
-/// described in words; a click or Enter opens the attempt of the value. Can be saved as a picture or a table; the
-/// outcome is shown over the bottom until another value is selected or the chart changes.
+/// described in words. A click or Enter opens the attempt of the value. The chart can be exported as a picture or a
+/// table. The result of the export is shown at the bottom until another value is selected or the chart changes.
 class ChartPanel : public WalkedChart
 {
     Q_OBJECT
@@ -53,7 +53,7 @@ private:
     [[nodiscard]] std::optional<qsizetype> nearest(const QPointF& at) const;
 
     Chart m_chart;
-    QList<Dot> m_stops;  ///< those that fit
+    QList<Dot> m_stops;  ///< values of the part that fits
     std::optional<qsizetype> m_stop;
     QLabel* m_title;
     QLabel* m_note;

@@ -23,22 +23,22 @@ namespace {
 using namespace ui::kit;
 
 constexpr double kMarkPx = 9.0;
-constexpr double kBarShare = 0.62;    ///< of the height of its row
-constexpr double kNameShare = 0.42;   ///< of the width of the chart, for the names of bars
-constexpr int kNameLines = 2;         ///< and no more, or too few bars have room
-constexpr double kNameEdgesPx = 4.0;  ///< above and below together
-constexpr double kNameGapPx = 8.0;    ///< to the axis
-constexpr double kFootPx = 46.0;      ///< of the axis beneath bars
-constexpr double kTickPx = 48.0;      ///< of the height of a chart for each tick of its upright axis
-constexpr double kLabelGapPx = 12.0;  ///< between two labels of a lying axis
-constexpr double kSignPx = 24.0;      ///< of the key
-constexpr double kGroupGapPx = 6.0;   ///< between the columns of a map
-constexpr int kNotePx = 10;           ///< in its cells
+constexpr double kBarShare = 0.62;    ///< height of a bar, as a share of the height of its row
+constexpr double kNameShare = 0.42;   ///< share of the chart's width for the names of bars
+constexpr int kNameLines = 2;         ///< more lines would leave room for too few bars
+constexpr double kNameEdgesPx = 4.0;  ///< margins above and below a name together
+constexpr double kNameGapPx = 8.0;    ///< gap between a name and the axis
+constexpr double kFootPx = 46.0;      ///< height of the axis below horizontal bars
+constexpr double kTickPx = 48.0;      ///< height of the chart per tick of its vertical axis
+constexpr double kLabelGapPx = 12.0;  ///< between two labels of a horizontal axis
+constexpr double kSignPx = 24.0;      ///< width of a sign in the key
+constexpr double kGroupGapPx = 6.0;   ///< gap between the columns of a map
+constexpr int kNotePx = 10;           ///< size of the text in a map's cells
 constexpr int kMostTicks = 6;
 constexpr int kFewestRows = 3;
 constexpr QSize kPicturePx{960, 600};
 constexpr double kPictureDensity = 2.0;
-constexpr double kAloneHalf = 0.3;  ///< of an attempt
+constexpr double kAloneHalf = 0.3;  ///< half-width of a single slice, in attempts
 
 QFontMetricsF metrics()
 {
@@ -155,13 +155,13 @@ QPen middlePen(const Ink& ink)
     return {ink.quiet, 1.8, Qt::DashLine};
 }
 
-/// An entry of the key: the meaning of a line, mark or area.
+/// An entry of the key: the name and the sign of a line, mark or area.
 struct Entry
 {
     QString name;
-    QPen pen{Qt::NoPen};              ///< of a line, or around an area
-    QBrush area{Qt::NoBrush};         ///< of a rectangle
-    Line marked{{}, {}, Mark::None};  ///< what has its mark upon the line
+    QPen pen{Qt::NoPen};              ///< stroke of a line, or of an area's border
+    QBrush area{Qt::NoBrush};         ///< fill of a rectangle
+    Line marked{{}, {}, Mark::None};  ///< a line with its mark
 };
 
 QList<Entry> entriesOf(const Chart& chart, const Ink& ink)
@@ -183,7 +183,7 @@ QList<Entry> entriesOf(const Chart& chart, const Ink& ink)
     return entries;
 }
 
-/// The key below a chart, in as many rows as needed.
+/// The key below a chart. It has as many rows as it needs.
 class Key
 {
 public:
@@ -237,11 +237,10 @@ private:
     Ink m_ink;
     QList<Placed> m_entries;
     double m_rowPx;
-    int m_rows = 0;  ///< after the first
+    int m_rows = 0;  ///< after the first row
 };
 
-/// Folds a name into the lines that a bar has room for. Letters are left out in the middle, because names often begin
-/// alike.
+/// Wraps a name into the lines that a bar has room for. Elides it in the middle, because names often begin alike.
 QString folded(const QString& name, double widthPx, int most)
 {
     QStringList lines{QString()};
@@ -258,7 +257,7 @@ QString folded(const QString& name, double widthPx, int most)
     return lines.join(u'\n');
 }
 
-/// Returns the width left of the plot: labels and title of the upright axis, or names.
+/// Returns the width to the left of the plot: labels and title of the vertical axis, or names of bars.
 double leftOf(const Chart& chart, const Axis& y, const QSizeF& roomPx)
 {
     if (const auto* bars = std::get_if<Bars>(&chart.content)) {
@@ -345,7 +344,7 @@ void drawBand(QPainter& painter, const Plot& plot, QList<Slice> slices, const In
 {
     if (slices.isEmpty())
         return;
-    if (slices.size() == 1) {  // a place alone has no width to be seen by
+    if (slices.size() == 1) {  // a single slice has no width, so it is widened
         slices << slices.front();
         slices.front().x -= kAloneHalf;
         slices.back().x += kAloneHalf;
@@ -363,11 +362,11 @@ void drawBand(QPainter& painter, const Plot& plot, QList<Slice> slices, const In
     painter.drawPolyline(middle);
 }
 
-/// Draws the note of each dot beside it, where it covers least of the other notes and the lines.
+/// Draws the note of each dot beside it, where it covers the least of other notes and lines.
 void drawNotes(QPainter& painter, const Plot& plot, const Curve& curve, const Ink& ink)
 {
     constexpr double kLineStepPx = 5.0;
-    constexpr double kFarCost = 20.0;  // px2 of something else covered, rather than farther by half a mark
+    constexpr double kFarCost = 20.0;  // px2 of overlap that weigh as much as half a mark of distance
     const auto around = [](const QPointF& middle, double wide, double high) {
         return QRectF(middle.x() - 0.5 * wide, middle.y() - 0.5 * high, wide, high);
     };
@@ -436,7 +435,7 @@ void drawContent(QPainter& painter, const Plot& plot, const Curve& curve, const 
     drawNotes(painter, plot, curve, ink);
 }
 
-/// Draws bars; their names take the place of the labels of an axis.
+/// Draws bars. Their names replace the labels of the axis.
 void drawContent(QPainter& painter, const Plot& plot, const Bars& bars, const QSizeF& roomPx, const Ink& ink)
 {
     const QStringList names = namesOf(bars, roomPx);
@@ -506,7 +505,7 @@ void drawContent(QPainter& painter, const Plot& plot, const Map& map, const QSiz
     }
 }
 
-/// Paints words in a column and returns their height.
+/// Paints text in a column and returns its height in pixels.
 double paintWords(QPainter& painter, const QRectF& area, const QString& words, const QFont& font, const QColor& colour)
 {
     if (words.isEmpty())
@@ -571,7 +570,7 @@ int rowsFor(const Chart& chart, const QSizeF& roomPx)
         const double rowPx = lines * metrics().lineSpacing() + kNameEdgesPx;
         return std::max(kFewestRows, static_cast<int>((roomPx.height() - kFootPx) / rowPx));
     };
-    // A bar whose name is shortened tells more than none.
+    // Shortens names if all bars fit then.
     const int loose = rows(isLong ? kNameLines : 1);
     return bars->bars.size() > loose && bars->bars.size() <= rows(1) ? rows(1) : loose;
 }
@@ -604,7 +603,7 @@ Plot plotOf(const Chart& chart, const QRectF& area)
     if (std::holds_alternative<Map>(chart.content))
         return {area.adjusted(leftOf(chart, y, area.size()), 2.0 * line, 0.0, -key - kSpace2), x, y};
     QRectF px = area.adjusted(leftOf(chart, y, area.size()), 0.5 * line, 0.0, -2.0 * line - kSpace1 - key);
-    // The last label stands half beyond the end of its axis.
+    // Half of the last label extends beyond the end of its axis.
     const QList<Tick> ticks = ticksAlong(x, px.width());
     if (!ticks.isEmpty())
         px.adjust(0.0, 0.0, -0.5 * metrics().horizontalAdvance(ticks.back().words) * x.shareOf(ticks.back().at), 0.0);
@@ -671,7 +670,7 @@ QByteArray svg(const Chart& chart)
     QPainter painter(&generator);
     paintPicture(painter, chart);
     painter.end();
-    // Whoever looks at the picture may not have our font.
+    // The reader's computer may not have the font Inter.
     return bytes.replace("font-family=\"Inter\"", "font-family=\"Inter, DejaVu Sans, Arial, sans-serif\"");
 }
 

@@ -33,7 +33,7 @@ struct Ink
 /// Returns the number of bars that fit with their names, in two lines if one name needs two.
 [[nodiscard]] int rowsFor(const Chart& chart, const QSizeF& roomPx);
 
-/// Returns the names of bars as they fit beside an axis of this height: wrapped, and shortened if necessary.
+/// Returns the names of bars for an axis of this height, wrapped and elided as needed.
 [[nodiscard]] QStringList namesOf(const Bars& bars, const QSizeF& roomPx);
 
 /// The rectangle of the axes, for conversion between values and pixels.
@@ -50,11 +50,11 @@ struct Plot
 /// Paints the chart alone, with its axes and its legend.
 void draw(QPainter& painter, const QRectF& area, const Chart& chart, const Ink& ink);
 
-/// Paints title, chart and note. Needs a QApplication, but no window. Font sizes are those of the screen if one unit of
-/// the painter is one pixel.
+/// Paints title, chart and note. Needs a QApplication, but no window. If one unit of the painter is one pixel, font
+/// sizes equal those of the screen.
 void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Ink& ink);
 
-/// Returns a picture file in light colours on white. Empty for a chart without values.
+/// Returns an image file in light colours on white. Empty for a chart without values.
 [[nodiscard]] QByteArray png(const Chart& chart);
 [[nodiscard]] QByteArray svg(const Chart& chart);
 

@@ -22,7 +22,7 @@ namespace {
 
 using namespace ui::kit;
 
-/// Words of the button, translated with the rest of the panel.
+/// Translation context of the button's texts, shared with the panel.
 struct SaveWords
 {
     Q_DECLARE_TR_FUNCTIONS(ui::charts::ChartPanel)

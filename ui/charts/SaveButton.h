@@ -9,25 +9,25 @@
 
 namespace ui::charts {
 
-/// The outcome of writing a file, with a sentence about it.
+/// The result of writing a file, with a sentence about it.
 struct Written
 {
     bool isDone = false;
     QString told;
 };
 
-/// Writes .png, .svg or .csv, by the suffix of the name. An existing file is kept if writing fails. Ui thread.
+/// Writes .png, .svg or .csv, by the suffix of the path. If writing fails, an existing file is unchanged. Ui thread.
 [[nodiscard]] Written writeChart(const Chart& chart, const QString& path);
 
-/// A button that saves a chart as a picture, a drawing or a table. Requests the chart when it is pressed, and asks for
-/// a file.
+/// A button that exports a chart as a bitmap, a vector drawing or a table. It requests the chart when it is pressed,
+/// and asks for a file.
 class SaveButton : public QToolButton
 {
     Q_OBJECT
 public:
     SaveButton(std::function<Chart()> chart, QWidget* parent);
 
-    /// Writes .png, .svg or .csv, by the suffix of the name, and emits told() with the outcome.
+    /// Writes .png, .svg or .csv, by the suffix of the path, and emits told() with the result.
     bool save(const QString& path);
     /// Updates the name of the button. Call after the title of the chart has changed.
     void nameIt();
@@ -35,7 +35,7 @@ public:
     void beSmall();
 
 signals:
-    /// Emitted with a sentence about a file that was written or could not be.
+    /// Emitted when a file was written or writing has failed, with a sentence about it.
     void told(const QString& sentence);
 
 protected:

@@ -17,7 +17,7 @@ struct TableWords
 QByteArray written(const QString& words)
 {
     QString safe = words;
-    // Spaces before it do not save anybody: some programs take them away first.
+    // Leading spaces are ignored, because some programs remove them before they evaluate the cell.
     const QString bare = words.trimmed();
     const bool isFormula = !bare.isEmpty() && QStringLiteral("=+-@\uFF1D\uFF0B\uFF0D\uFF20").contains(bare.front());
     const bool beginsOddly = !words.isEmpty() && words.front() < u' ';
@@ -31,7 +31,7 @@ QByteArray written(const QString& words)
     return safe.toUtf8();
 }
 
-/// Returns a number with useful precision: 76.1, without the rounding error of a sum.
+/// Returns a number with 12 significant digits: 76.1 without the rounding error of a sum.
 QByteArray written(double value)
 {
     constexpr int kDigits = 12;
@@ -47,7 +47,7 @@ Table table(const Curve& curve)
 {
     Table made{{TableWords::tr("series"), curve.x.title, curve.y.title}, {}};
     for (const Line& line : curve.lines) {
-        // Without a name it needs none in the key: it is the middle of the band, told below, or the only one.
+        // The line has no name if it is the only one, or the middle of the band, which is written below.
         const bool isBand = line.name.isEmpty() && !curve.band.slices.isEmpty();
         if (line.mark == Mark::None || isBand)
             continue;
@@ -85,7 +85,7 @@ Table table(const Histogram& histogram)
     return made;
 }
 
-/// Returns an empty table: maps are pictures for documents.
+/// Returns an empty table, because a map is exported as a picture only.
 Table table(const Map&)
 {
     return {};

@@ -22,8 +22,8 @@ struct Table
     bool operator==(const Table&) const = default;
 };
 
-/// Returns a CSV file as in RFC 4180, in UTF-8: commas between cells, CR LF after each row, quotes doubled within
-/// quotes. Numbers are in the C locale; values that are not finite are empty. Text that a spreadsheet would take for a
+/// Returns CSV according to RFC 4180, in UTF-8: commas between cells, CR LF after each row, quotes doubled within
+/// quotes. Numbers are in the C locale; non-finite values are empty. Text that a spreadsheet would evaluate as a
 /// formula (it begins with = + - @ or a control character) gets an apostrophe in front.
 [[nodiscard]] QByteArray csv(const Table& table);
 

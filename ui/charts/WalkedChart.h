@@ -11,16 +11,17 @@
 
 namespace ui::charts {
 
-/// The meaning of a key.
+/// The step that a key makes.
 enum class Step : std::uint8_t { Back, On, First, Last, Open };
 
-/// A chart whose values the arrow keys select when it has the focus, as the pointer does. Paints a focus ring.
+/// A chart whose values can be selected by the pointer, and by the arrow keys when it has the focus. Paints a focus
+/// ring.
 class WalkedChart : public QWidget
 {
 protected:
     explicit WalkedChart(QWidget* parent);
 
-    /// Returns the widget in which the chart is drawn, to be put into a layout.
+    /// Returns the widget in which the chart is drawn, for a layout.
     [[nodiscard]] QWidget* view() const { return m_view; }
     void setDrawn(const Chart& chart);
     [[nodiscard]] const Chart& drawn() const { return m_drawn; }
@@ -29,10 +30,10 @@ protected:
     /// Returns the value along the horizontal axis after a step, a multiple of `by` from 0 to `most`.
     [[nodiscard]] static double stepped(Step step, double from, double by, double most);
 
-    /// Returns whether the chart uses the keys of this step, whatever shortcuts they have elsewhere.
+    /// Returns whether the chart handles the keys of this step, even if they are shortcuts elsewhere.
     [[nodiscard]] virtual bool takes(Step step) const;
     virtual void walk(Step step) = 0;
-    /// @param at  in the view, px; empty: the pointer has left
+    /// @param at  position in the view, px; empty: the pointer has left
     virtual void point(std::optional<QPointF> at) = 0;
     virtual void viewResized() {}
     virtual void paintOver(QPainter&) {}

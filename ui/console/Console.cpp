@@ -31,8 +31,8 @@ namespace {
 constexpr int kMostLines = 500;
 constexpr int kMostHinted = 6;
 constexpr int kMostHistory = 100;
-constexpr std::size_t kNameWidth = 30;  ///< characters, at least
-/// The ground is translucent. Whatever is below it, words have a contrast of at least 4.5 to 1.
+constexpr std::size_t kNameWidth = 30;  ///< minimum width in characters
+/// A translucent background. Text has a contrast of at least 4.5 to 1 whatever is below.
 constexpr QColor kGround(14, 16, 17, 204);
 
 const QStringList kCommands{QStringLiteral("export"),  QStringLiteral("get"),  QStringLiteral("help"),
@@ -50,13 +50,13 @@ bool isOfPresets(const QString& line)
     return line.startsWith(u"load ") || line.startsWith(u"save ");
 }
 
-/// Returns the start of the word that Tab completes.
+/// Returns the beginning of the word that Tab completes.
 qsizetype begunAt(const QString& line)
 {
     return (isOfPresets(line) ? line.indexOf(u' ') : line.lastIndexOf(u' ')) + 1;
 }
 
-/// Returns a number written as in programs or as in the window.
+/// Parses a number written with a point or in the format of the window's language. A switch may be "on" or "off".
 std::optional<double> numberIn(const QString& text, bool isSwitch)
 {
     bool isNumber = false;
@@ -83,7 +83,7 @@ Console::Console(const core::settings::Parameters& parameters, WatchPanel& panel
     : QWidget(parent), m_parameters(parameters), m_panel(panel), m_output(new QPlainTextEdit(this)),
       m_hint(new QLabel(this)), m_line(new QLineEdit(this))
 {
-    kit::dress(*this, kit::roomPalette());  // it lies over the tooth, in whatever theme
+    kit::dress(*this, kit::roomPalette());  // dark in both themes, because it covers the tooth
     QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     fixed.setPixelSize(kit::kBody - 1);
     m_output->setReadOnly(true);
@@ -201,7 +201,8 @@ void Console::execute(const QString& line)
     }
 }
 
-/// Requests a preset by name. Returns why it is refused; empty if the answer comes through say().
+/// Runs a request for a preset by name. Returns the reason if it is refused, otherwise an empty string; the answer
+/// arrives through say().
 QString Console::askForPreset(const Preset& what, const QString& name)
 {
     if (isFeelVeiled(m_parameters))
@@ -258,7 +259,7 @@ void Console::set(const QString& name, const QString& value)
         say(refused);
 }
 
-/// Resets a parameter. Without a name, it resets all parameters of the feel; those of the view stay.
+/// Resets a parameter. Without a name, resets all parameters of force and hardness, but not those of the view.
 void Console::reset(const QString& name)
 {
     if (!name.isEmpty()) {
@@ -268,7 +269,8 @@ void Console::reset(const QString& name)
                               : refused);
         return;
     }
-    // Stiffness and damping hold each other up: what cannot go back yet can when the rest has.
+    // Stiffness and damping limit each other. A value that cannot be reset in the first round can be reset in the
+    // second.
     QString refused;
     for (int round = 0; round < 2; ++round) {
         refused.clear();
@@ -293,7 +295,7 @@ void Console::watch(const QString& name, bool plotted)
         say(tr("There is room for %1. Take one away with \"unwatch NAME\".").arg(WatchPanel::kMost));
 }
 
-/// Exports a plot, by default as a table among the user's documents.
+/// Exports a plot, by default as a table in the user's documents folder.
 void Console::exportPlot(const QString& name, const QString& file)
 {
     const core::settings::Parameter* parameter = m_parameters.find(name.toStdString());
@@ -339,7 +341,7 @@ QStringList Console::candidates(const QString& line) const
         return found;
     for (const core::settings::Parameter* parameter : m_parameters.beginningWith(begun.toStdString()))
         found << QString::fromStdString(parameter->name);
-    // A search finds what stands within a name as well.
+    // If no name begins with the word, names that contain it are candidates.
     if (found.isEmpty())
         for (const core::settings::Parameter* parameter : m_parameters.matching(begun.toStdString()))
             found << QString::fromStdString(parameter->name);
@@ -353,13 +355,13 @@ QString Console::completed(const QString& line) const
         return line;
     const qsizetype begin = begunAt(line);
     const QString common = commonBeginning(found);
-    // What several names hold in their middle must not be taken away for what they begin with.
+    // Does not replace a word that several names contain by a common beginning without that word.
     if (found.size() > 1 && !common.contains(line.mid(begin)))
         return line;
     return line.left(begin) + common + (found.size() == 1 ? QStringLiteral(" ") : QString());
 }
 
-/// Shows the possible completions of the line, or the parameter that it names.
+/// Shows the possible completions, or the parameter that the line names.
 void Console::hint()
 {
     const QString line = m_line->text();
@@ -379,7 +381,7 @@ void Console::hint()
 void Console::say(const QString& text)
 {
     m_output->appendPlainText(text);
-    // By itself it follows only where the last line was seen, and the hint below may have taken that line's room.
+    // The view scrolls by itself only if the last line was visible, and the hint below may have covered that line.
     m_output->verticalScrollBar()->setValue(m_output->verticalScrollBar()->maximum());
 }
 
@@ -404,7 +406,7 @@ void Console::recall(int step)
 bool Console::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_line && event->type() == QEvent::ShortcutOverride) {
-        // The key that opened it closes it: it is no letter here.
+        // The key that opened the console closes it, so it does not type a character.
         if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_QuoteLeft) {
             event->ignore();
             return true;
@@ -423,8 +425,8 @@ bool Console::eventFilter(QObject* watched, QEvent* event)
                 key->key() == Qt::Key_PageUp ? QAbstractSlider::SliderPageStepSub : QAbstractSlider::SliderPageStepAdd);
             return true;
         case Qt::Key_Tab:
-            // From an empty line it walks on, as everywhere; but never away from what is being typed, the rest of which
-            // would be taken for shortcuts.
+            // Tab leaves an empty line as usual. With text in the line it must not move the focus, because further keys
+            // would act as shortcuts.
             if (m_line->text().isEmpty())
                 break;
             m_line->setText(completed(m_line->text()));

@@ -17,13 +17,15 @@ namespace ui::console {
 
 class WatchPanel;
 
-/// A command line over the view: every registered parameter can be listed, read, set, watched and plotted while the
-/// user drills, and the feel saved as a preset. Receives pointer and keys only inside itself.
+/// A command line over the view. Every registered parameter can be listed, read, set, watched and plotted while the
+/// user drills, and hardness and force can be saved as a preset. The console receives mouse and key events only inside
+/// itself.
 class Console : public QWidget
 {
     Q_OBJECT
 public:
-    /// Saves the current feel as a preset, or loads one. Returns a sentence about the outcome; empty: say() follows.
+    /// Saves the current hardness and force as a preset, or loads one. Returns a sentence about the result; empty:
+    /// say() follows.
     using Preset = std::function<QString(const QString& name)>;
     /// Returns the names of the presets, for completion.
     using PresetNames = std::function<QStringList()>;
@@ -35,11 +37,11 @@ public:
     void say(const QString& text);
     /// Executes a line as if it had been typed, and appends the answer to the output.
     void execute(const QString& line);
-    /// Returns the line as the Tab key completes it.
+    /// Returns the line after Tab has completed it.
     [[nodiscard]] QString completed(const QString& line) const;
-    /// Clears input, output and the watched values, and hides the console, for another user.
+    /// Clears input, output and the watched values, and hides the console. Call this for another user.
     void forget();
-    /// Shows the console and focuses its line.
+    /// Shows the console and sets the focus to its input line.
     void open();
 
 signals:

@@ -22,7 +22,7 @@ QString withUnit(const QString& number, const core::settings::Parameter& paramet
     return parameter.unit.empty() ? number : number + u' ' + QString::fromStdString(parameter.unit);
 }
 
-/// Returns a number as the window writes it, but without group separators, so that it can be typed again.
+/// Returns a number in the format of the window's language without group separators, so that it can be typed again.
 QString written(double value, char format, int digits)
 {
     QLocale locale;
@@ -46,7 +46,8 @@ QString valueWords(const core::settings::Parameter& parameter, double value)
         return value != 0.0 ? Words::tr("on") : Words::tr("off");
     if (!parameter.isLive())
         return withUnit(plain(value), parameter);
-    // Of what changes all the time a few digits are read; but no power of ten, as of a turbine's 320,000 rpm.
+    // Shows few digits, because the value changes all the time. Large numbers, as the 320,000 rpm of a turbine, are not
+    // written as a power of ten.
     return withUnit(std::abs(value) < kWholeFrom ? written(value, 'g', 4) : written(value, 'f', 0), parameter);
 }
 

@@ -30,7 +30,7 @@ struct RegistrationWords
     Q_DECLARE_TR_FUNCTIONS(ui::console::Words)
 };
 
-/// Returns a name to type. In files the key contains the unit, but the typed name does not need it.
+/// Returns the name that users type for a field. The field's id ends with its unit, which the name omits.
 std::string nameOf(const core::NumberField<FeelPreset>& field)
 {
     QString name = QLatin1String(field.id);
@@ -90,12 +90,12 @@ void registerFeel(Parameters& parameters, const std::function<FeelPreset()>& now
         parameter.initial = [initial, value = field.value] { return initial().*value; };
         parameter.write = [now, feel, value = field.value](double number) -> std::string {
             FeelPreset next = now();
-            if (presets::isVeiled(next))  // nor is it told whether it is that number, or within the bound
+            if (presets::isVeiled(next))  // does not reveal whether the value is the current one or within the limits
                 return blindWords().toStdString();
             if (next.*value == number)
                 return {};
             next.*value = number;
-            next.hash.clear();  // it is no longer what its version says
+            next.hash.clear();  // the numbers differ from those of the saved version
             if (!core::settings::checkStability(next))
                 return text::boundWords(next).toStdString();
             return feel(next);

@@ -35,11 +35,11 @@ private:
     std::int64_t m_newestNs = 0;
 };
 
-/// Registers every number of a hardness preset: "hardness.enamel.rate", "force.stiffness". While the current feel is
+/// Registers every number of a hardness preset: "hardness.enamel.rate", "force.stiffness". While the current preset is
 /// presets::veiled(), none of them can be read or set.
-/// @param now      returns the current feel
-/// @param initial  returns the feel before any change by hand
-/// @param feel     sets the feel; returns why not, or an empty string
+/// @param now      returns the current preset
+/// @param initial  returns the preset before any manual change
+/// @param feel     applies a preset; returns an empty string, or why it was refused
 void registerFeel(core::settings::Parameters& parameters, const std::function<core::settings::FeelPreset()>& now,
                   const std::function<core::settings::FeelPreset()>& initial,
                   const std::function<std::string(const core::settings::FeelPreset&)>& feel);
@@ -49,14 +49,14 @@ void registerFeel(core::settings::Parameters& parameters, const std::function<co
 /// @param initially  the default
 void registerSwitch(core::settings::Parameters& parameters, const char* name, QAction* action, bool initially = false);
 
-/// Registers "hand.feed", the highest speed at which the bur goes down while the mouse button is pressed, and
+/// Registers "hand.feed", the highest speed at which the bur is lowered while the mouse button is pressed, and
 /// "hand.push", the force.
 /// @param hand  must outlive the parameters
 void registerHand(core::settings::Parameters& parameters, const tooth::PointerControl& hand,
                   const std::function<void(double mmPerS)>& setFeed,
                   const std::function<void(double newtons)>& setPush);
 
-/// What the live values may show of the bur's work, as in the panel beside the tooth.
+/// Which live values may be shown, as in the panel beside the tooth.
 struct Told
 {
     bool depth = true;

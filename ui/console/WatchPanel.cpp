@@ -119,7 +119,7 @@ void WatchPanel::sample(double seconds)
         const core::settings::Parameter* parameter = m_parameters.find(row.name.toStdString());
         row.now = parameter != nullptr ? parameter->read() : std::nan("");
         if (parameter != nullptr && !withheldWords(*parameter).isEmpty())
-            row.points.clear();  // nor what it was a moment ago
+            row.points.clear();  // deletes its earlier values as well
         if (!row.isPlotted)
             continue;
         row.points.push_back({seconds, row.now});
@@ -169,7 +169,7 @@ void WatchPanel::paintEvent(QPaintEvent*)
             continue;
         const auto [low, high] = *range;
         const double span = high > low ? high - low : 1.0;
-        // The pointer goes through: what it would be told stands beside the curve.
+        // The panel ignores the mouse, so the limits are written beside the curve instead of in a tooltip.
         const QString lowWords = valueWords(*parameter, low);
         const QString highWords = high > low ? valueWords(*parameter, high) : QString();
         painter.setFont(kit::typeface(kit::kSmall));

@@ -16,8 +16,8 @@
 
 namespace ui::console {
 
-/// Shows watched values over the view while the user drills: a line each, with a plot of the last ten seconds for
-/// plotted ones. Mouse events pass through it.
+/// Shows watched values over the view while the user drills: one line per value, with a plot of the last ten seconds
+/// for plotted ones. Mouse events pass through the panel.
 class WatchPanel : public QWidget
 {
     Q_OBJECT
@@ -37,13 +37,13 @@ public:
     /// Reads the values. A timer calls this ten times a second.
     /// @param seconds  since a fixed moment
     void sample(double seconds);
-    /// Returns the plot of a value as a chart for a file; empty: the value is not plotted.
+    /// Returns the plot of a value as a chart for export. Empty if the value is not plotted.
     [[nodiscard]] std::optional<charts::Chart> chart(const QString& name) const;
     /// Returns the plotted values, oldest first.
     [[nodiscard]] std::vector<double> plotted(const QString& name) const;
 
 signals:
-    /// Emitted when the panel has changed its size and must be placed again.
+    /// Emitted when the panel's size has changed and it must be placed again.
     void resized();
 
 protected:

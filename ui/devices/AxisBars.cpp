@@ -92,7 +92,7 @@ void AxisBars::paintAxis(QPainter& painter, std::size_t axis) const
     painter.drawRoundedRect(bar, 3.0, 3.0);
     const double raw = static_cast<double>(m_controller.axes[axis]);
     const double reading = std::isfinite(raw) ? std::clamp(raw, -1.0, 1.0) : 0.0;
-    // A stick rests in the middle of its bar, a trigger at the end.
+    // A stick rests in the middle of its bar, a trigger at one end.
     const bool isTrigger = m_controller.isGamepad && axis >= core::session::kLeftTrigger;
     const double lowest = isTrigger ? 0.0 : -1.0;
     const double rest = m_controller.isGamepad ? 0.0 : -1.0;

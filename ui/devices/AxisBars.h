@@ -7,14 +7,15 @@
 
 namespace ui::devices {
 
-/// The axes of a controller as bars that move with them, and its buttons as lights. A button that is held is filled.
+/// Shows the axes of a controller as bars that move with them, and its buttons as lights. The light of a held button is
+/// filled.
 class AxisBars : public QWidget
 {
     Q_OBJECT
 public:
     explicit AxisBars(QWidget* parent);
 
-    /// @param pedalAxis  this axis is marked; kNoAxis: none
+    /// @param pedalAxis  the axis to mark; kNoAxis: none
     void setController(const core::session::Controller& controller, int pedalAxis);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }

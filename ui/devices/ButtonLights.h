@@ -7,7 +7,7 @@
 
 namespace ui::devices {
 
-/// The four grip buttons by their functions. A held button is filled.
+/// Shows the four grip buttons with their functions. A held button is filled.
 class ButtonLights : public QWidget
 {
     Q_OBJECT

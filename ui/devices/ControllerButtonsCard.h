@@ -22,7 +22,7 @@ public:
     explicit ControllerButtonsCard(QWidget* parent);
 
     void setSettings(const ControllerSettings& settings);
-    /// Takes the newest state of the controller that is shown.
+    /// Sets the newest state of the shown controller.
     void setController(const core::session::Controller& controller);
     /// Ends the assignment without a result.
     void stopLearning();

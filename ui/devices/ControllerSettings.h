@@ -20,7 +20,7 @@ inline constexpr int kNoAxis = -1;
 /// The user's settings for one kind of controller.
 struct ControllerSettings
 {
-    int axis = kNoAxis;  ///< of the pedal; kNoAxis until it has been learnt
+    int axis = kNoAxis;  ///< axis of the pedal; kNoAxis until the user has taught it
     core::settings::PedalSettings shape;
     /// Button of each ControllerAction; kNoButton: none.
     std::array<int, kControllerActions> buttons{kNoButton, kNoButton, kNoButton, kNoButton,
@@ -29,12 +29,12 @@ struct ControllerSettings
 
     [[nodiscard]] int& buttonOf(ControllerAction action) { return buttons.at(static_cast<std::size_t>(action)); }
     [[nodiscard]] int buttonOf(ControllerAction action) const { return buttons.at(static_cast<std::size_t>(action)); }
-    /// Returns whether an axis or a button can turn the bur.
+    /// Returns whether an axis or a button can run the bur.
     [[nodiscard]] bool canRunBur() const { return axis != kNoAxis || buttonOf(ControllerAction::Drill) != kNoButton; }
 };
 
-/// Returns the settings of a controller before the user has changed any. A gamepad has the usual buttons, and its left
-/// trigger as a pedal; any other controller must be taught.
+/// Returns the settings of a controller that the user has not changed yet. A gamepad has default buttons, and its left
+/// trigger is the pedal. The user must teach any other controller.
 [[nodiscard]] inline ControllerSettings firstSettings(bool isGamepad)
 {
     ControllerSettings settings;

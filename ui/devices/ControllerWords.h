@@ -17,7 +17,7 @@ struct ControllerState
 {
     bool isInBuild = true;  ///< false: this program was built without SDL 2
     core::session::ControllerReport report;
-    QString pedalName;  ///< of the chosen pedal, also while it is not plugged in; empty: none is chosen
+    QString pedalName;  ///< the chosen pedal, also while it is not plugged in; empty: none is chosen
 };
 
 [[nodiscard]] Sign signOf(const ControllerState& state);

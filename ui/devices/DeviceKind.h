@@ -23,20 +23,20 @@ struct DeviceKind
     QString id;                 ///< as in database::AttemptRecord::device
     QString name;               ///< product name, the same in every language
     bool isInBuild = true;      ///< false: this program was built without the library for it
-    bool needsFirmware = true;  ///< its firmware comes from a file of the user
+    bool needsFirmware = true;  ///< its firmware must be loaded from a file that the user provides
     QString rule;               ///< udev rule that lets every user of the computer open it; empty: none is needed
     QString ruleFile;           ///< file for the rule
     QString ruleCommand;        ///< prints the rule
-    QString badCalibration;     ///< its calibration file, if that is invalid; otherwise empty
+    QString badCalibration;     ///< path of its calibration file if that is invalid, otherwise empty
 };
 
 /// The firmware file that the user has chosen.
 struct FirmwareFile
 {
     QString path;         ///< empty: none is chosen
-    QString name;         ///< of a known firmware
+    QString name;         ///< name of the firmware, if it is known
     QString sha256;       ///< 64 hexadecimal digits; empty if the file is not firmware
-    core::Error error{};  ///< why it is not
+    core::Error error{};  ///< the reason why the file is not firmware
     bool operator==(const FirmwareFile& other) const
     {
         return path == other.path && name == other.name && sha256 == other.sha256 && error.detail == other.error.detail;

@@ -16,7 +16,7 @@ namespace ui::devices {
 /// The icon beside a state.
 enum class Sign : std::uint8_t {
     Ready,      ///< a tick
-    Working,    ///< an hourglass: it becomes ready by itself
+    Working,    ///< an hourglass: the device becomes ready by itself
     Attention,  ///< a triangle: the user must do something
     Missing,    ///< a cross: there is no device
     Off         ///< a pale eye: the user has not switched it on

@@ -129,7 +129,7 @@ DevicesPage::DevicesPage(const Actions& actions, QWidget* parent)
     });
 }
 
-/// Makes the list of hands, and the settings for all of them.
+/// Makes the list of input devices and the settings that apply to all of them.
 QWidget* DevicesPage::makeHands()
 {
     auto* part = new QWidget(this);
@@ -459,7 +459,7 @@ void DevicesPage::showSound()
     m_help->setText(helpWords(report));
 }
 
-/// Returns the check box shown in place of the button of a hand; null if a hand is shown.
+/// Returns the check box that replaces the "use" button for head tracking and sound, otherwise null.
 QCheckBox* DevicesPage::shownSwitch() const
 {
     if (shownHand() == QLatin1String(kHeadTracking))
@@ -467,7 +467,7 @@ QCheckBox* DevicesPage::shownSwitch() const
     return shownHand() == QLatin1String(kSound) ? &m_sound->soundSwitch() : nullptr;
 }
 
-/// Fills one button: the next step.
+/// Emphasizes the button for the next step.
 void DevicesPage::showNextStep()
 {
     const QString id = shownHand();
@@ -491,7 +491,7 @@ void DevicesPage::showNextStep()
 void DevicesPage::takeNextStep()
 {
     if (QCheckBox* const onOrOff = shownSwitch())
-        onOrOff->setFocus();  // a click into a list turns on no camera
+        onOrOff->setFocus();  // a click in the list turns on no camera
     else if (!isHand(shownHand()))
         m_pedals->setFocus();
     else if (!m_next->isEnabled())

@@ -39,21 +39,21 @@ class DevicesPage : public kit::Page
 public:
     DevicesPage(const kit::Actions& actions, QWidget* parent);
 
-    /// Sets the kinds of force devices, in the order of the list, without reports.
+    /// Sets the kinds of force devices, in the order of the list. They have no reports yet.
     void setKinds(const QList<DeviceKind>& kinds);
     void setReport(const QString& id, const core::session::DeviceReport& report);
     void setSetup(const QString& id, const core::session::DeviceSetup& setup);
     void setFirmware(const QString& id, const FirmwareFile& file);
     /// Sets the device in use and selects it.
     void setChosen(const QString& id);
-    /// @param whyNot  why the simulated hand cannot be chosen or left now; empty: it can
+    /// @param whyNot  why the user cannot switch to or from the simulated hand now; empty: they can
     void setSimulatedFixed(const QString& whyNot);
 
     /// Returns the id of the selected row: a device, kHeadTracking, kPedals or kSound.
     [[nodiscard]] QString shownHand() const;
-    /// Goes back from the guide to the devices.
+    /// Goes back from the guide to the list of devices.
     [[nodiscard]] bool stepBack() override;
-    /// Returns the force of the test button that is held, tooth frame, N; zero if none is.
+    /// Returns the force of the test button being held, tooth frame, N. Zero if none is held.
     [[nodiscard]] glm::dvec3 testForce() const;
 
     /// Returns the card of head tracking, for its setters and signals.
@@ -66,7 +66,8 @@ public:
     /// Returns the card of sound, likewise.
     [[nodiscard]] SoundCard& sound() { return *m_sound; }
 
-    /// Opens the guide for hand and rest, for the selected device or, if that is none, for the one in use.
+    /// Opens the guide for hand and rest for the selected device. If no input device is selected, opens it for the one
+    /// in use.
     void openGuide();
 
     /// Returns "Mouse or pen", "Simulated hand", "Head tracking", "Pedal and gamepad", "Sound", or a product name.
@@ -112,7 +113,7 @@ private:
     [[nodiscard]] Device* find(const QString& id);
 
     QAction* m_back;
-    QWidget* m_devicesPart;  ///< all parts but the guide
+    QWidget* m_devicesPart;  ///< all parts except the guide
     HandGuide* m_guide;
     QString m_guideHand;  ///< id of the force device in the guide
     QPushButton* m_openGuide = nullptr;

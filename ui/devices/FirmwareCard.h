@@ -11,7 +11,7 @@ class QLabel;
 
 namespace ui::devices {
 
-/// The firmware file: its name if it is known, and a button that chooses another.
+/// Shows the firmware file, with its name if it is known, and a button that chooses another file.
 class FirmwareCard : public QFrame
 {
     Q_OBJECT

@@ -19,7 +19,7 @@ public:
 
     explicit ForceTest(QWidget* parent);
 
-    /// Returns the force of the held button, tooth frame, N; zero if none is held.
+    /// Returns the force of the held button, tooth frame, N. Zero if none is held.
     [[nodiscard]] glm::dvec3 force() const;
 
 private:

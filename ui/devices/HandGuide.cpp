@@ -293,7 +293,7 @@ void HandGuide::showStep(Step step)
     m_summary->setVisible(step == Step::Summary && m_hasForce);
     showWords();
     if (step == Step::Still)
-        m_still->focusStart();  // the hand that is measured presses nothing
+        m_still->focusStart();  // the hand that is measured presses no key
     else if (isVisible() && (hasStartFocus || (!m_next->hasFocus() && !m_back->hasFocus() && !m_left->hasFocus() &&
                                                !m_right->hasFocus())))
         m_next->setFocus();

@@ -23,8 +23,8 @@ namespace ui::devices {
 class HandGuidePicture;
 class StillnessTest;
 
-/// A guide to steady drilling: the hand, the screen, the hand rest, and a test of steadiness. One step at a time, each
-/// with a picture. Every choice is applied at once.
+/// A guide to steady drilling: the hand, the screen, the hand rest, and a test of steadiness. Each step has a picture.
+/// Every setting is applied at once.
 class HandGuide : public QWidget
 {
     Q_OBJECT
@@ -36,14 +36,14 @@ public:
     /// Shows the first step for a force device.
     void begin(const QString& deviceName, const core::session::DeviceSetup& setup,
                const core::session::DeviceReport& report);
-    /// Takes the newest report of the force device.
+    /// Sets the newest report of the force device.
     void setReport(const core::session::DeviceReport& report);
     void setSetup(const core::session::DeviceSetup& setup);
 
 signals:
     /// Emitted when the user has changed the height of the rest or the scale of the force device.
     void setupChanged(const core::session::DeviceSetup& setup);
-    /// Emitted when the user has finished or left the guide.
+    /// Emitted when the user has completed or left the guide.
     void closed();
 
 protected:

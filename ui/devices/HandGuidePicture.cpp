@@ -62,7 +62,7 @@ HandGuidePicture::HandGuidePicture(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("handGuidePicture"));
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    // The words beside it say the same.
+    // Repaints the text in the picture. The text beside the picture says the same to screen readers.
     text::bindTranslation(this, [this] { update(); });
 }
 
@@ -83,7 +83,7 @@ void HandGuidePicture::setHeights(std::optional<double> gripMm, double restMm)
     update();
 }
 
-/// Paints from above: the screen, the tooth, and a forearm that holds the handpiece.
+/// Paints the view from above: the screen, the tooth, and a forearm with the handpiece.
 void HandGuidePicture::paintHand(QPainter& painter) const
 {
     painter.setPen(inkPen(ink(*this)));
@@ -106,7 +106,7 @@ void HandGuidePicture::paintHand(QPainter& painter) const
     painter.restore();
 }
 
-/// Paints from the side: the eye, and the screen at arm's length with its upper edge no higher than the eye.
+/// Paints the view from the side: the eye, and the screen at arm's length with its upper edge at eye level or below.
 void HandGuidePicture::paintScreen(QPainter& painter) const
 {
     paintDesk(painter, *this);
@@ -132,7 +132,7 @@ void HandGuidePicture::paintScreen(QPainter& painter) const
     painter.drawText(QRectF(100.0, 30.0, 170.0, 26.0), Qt::AlignCenter, tr("50 to 70 cm"));
 }
 
-/// Paints from the side: the forearm on the table, or the hand on a rest before a force device.
+/// Paints the view from the side: the forearm on the table, or the hand on a rest in front of a force device.
 void HandGuidePicture::paintRest(QPainter& painter) const
 {
     paintDesk(painter, *this);
@@ -184,7 +184,7 @@ void HandGuidePicture::paintHeights(QPainter& painter) const
     painter.drawEllipse(QPointF(scale.center().x(), yAt(*m_gripMm)), 8.0, 8.0);
 }
 
-/// Paints a place to aim at, and the trace of a trembling hand.
+/// Paints a target to aim at, and the trace of a trembling hand.
 void HandGuidePicture::paintStill(QPainter& painter) const
 {
     const QPointF middle(0.5 * kWide, 0.5 * kHigh);

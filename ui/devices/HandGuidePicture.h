@@ -20,10 +20,10 @@ public:
     explicit HandGuidePicture(QWidget* parent);
 
     /// @param isLeft    the user is left-handed
-    /// @param hasForce  for a force device, not a mouse or a pen
+    /// @param hasForce  draws a force device instead of a mouse or a pen
     void setScene(Scene scene, bool isLeft, bool hasForce);
-    /// Sets the heights in the scale beside the force device, mm above the middle of the work area.
-    /// @param gripMm  empty if the device is not ready
+    /// Sets the heights on the scale beside the force device, mm above the middle of the work area.
+    /// @param gripMm  empty: the device is not ready
     void setHeights(std::optional<double> gripMm, double restMm);
     [[nodiscard]] QSize sizeHint() const override { return {360, 240}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {270, 180}; }

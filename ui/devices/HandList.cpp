@@ -33,7 +33,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
     {
         const HandList::Row& row = m_list->rows().at(index.row());
-        // Its own Base is transparent.
+        // The list's own Base is transparent.
         const QPalette& palette = m_list->parentWidget()->palette();
         const bool isSelected = option.state.testFlag(QStyle::State_Selected);
         painter->save();
@@ -65,7 +65,7 @@ public:
         painter->drawText(words.adjusted(0, 1, -markPx, 0), Qt::AlignLeft | Qt::AlignTop,
                           painter->fontMetrics().elidedText(row.name, Qt::ElideRight, words.width() - markPx));
         painter->setFont(typeface(kSmall));
-        // Quiet words on the ground of a selected row would have too little contrast.
+        // Placeholder colour on a selected row would have too little contrast.
         painter->setPen(palette.color(isSelected ? QPalette::WindowText : QPalette::PlaceholderText));
         painter->drawText(words.adjusted(0, kBody + kSpace2, 0, 0), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
                           row.state);
@@ -100,7 +100,7 @@ void HandList::setRows(const QList<Row>& rows)
         delete takeItem(count() - 1);
     while (count() < m_rows.size())
         addItem(new QListWidgetItem);
-    scheduleDelayedItemsLayout();  // another row may stand apart
+    scheduleDelayedItemsLayout();  // another row may have a gap above it
     for (int k = 0; k < count(); ++k) {
         const Row& row = m_rows.at(k);
         const QString name = row.isChosen ? tr("%1, chosen").arg(row.name) : row.name;

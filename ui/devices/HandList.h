@@ -24,7 +24,7 @@ public:
         bool isApart = false;  ///< a line separates it from the rows above
         bool operator==(const Row&) const = default;
     };
-    /// Sets the rows. The selection stays.
+    /// Sets the rows. Keeps the selection.
     void setRows(const QList<Row>& rows);
     [[nodiscard]] const QList<Row>& rows() const { return m_rows; }
     void selectHand(const QString& id);

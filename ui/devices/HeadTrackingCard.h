@@ -37,12 +37,12 @@ public:
     void setCameras(const std::vector<core::tracking::CameraInfo>& cameras);
     void setSettings(const HeadTrackingSettings& settings);
     [[nodiscard]] const HeadTrackingSettings& settings() const { return m_state.settings; }
-    /// Sets whether the parts are stacked, for a narrow page.
+    /// Sets whether the parts are one below the other, for a narrow page.
     void setNarrow(bool isNarrow);
 
-    /// Returns the current state, for the head of the page and its list.
+    /// Returns the current state, for the page's header and its list.
     [[nodiscard]] const TrackingState& state() const { return m_state; }
-    /// Returns the check box "Follow my head", which the page shows in its head.
+    /// Returns the check box "Follow my head", which the page shows in its header.
     [[nodiscard]] QCheckBox& followSwitch() { return *m_follow; }
 
 signals:
@@ -50,7 +50,7 @@ signals:
     void trackingChanged(bool isOn);
     /// Emitted when the user has changed another setting.
     void settingsChanged(const HeadTrackingSettings& settings);
-    /// Emitted when the user sets the current place of the head as the middle.
+    /// Emitted when the user makes the current position of the head the centre.
     void recentreRequested();
     void printRequested();
     /// Emitted when the user holds the tag at HeadTrackingSettings::kMeasuredMm from the camera.

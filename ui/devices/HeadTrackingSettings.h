@@ -9,7 +9,7 @@ namespace ui::devices {
 /// The user's settings for head tracking.
 struct HeadTrackingSettings
 {
-    static constexpr int kMostTagId = 586;  ///< of the family 36h11
+    static constexpr int kMostTagId = 586;  ///< highest id of the family 36h11
     static constexpr double kLeastTagMm = 10.0;
     static constexpr double kMostTagMm = 200.0;
     static constexpr double kLeastFovDeg = 20.0;
@@ -21,7 +21,7 @@ struct HeadTrackingSettings
     bool isOn = false;
     int camera = 0;    ///< as in core::tracking::CameraInfo
     QString video{};   ///< path of a video or of a folder of images that replaces the camera; empty: the camera is used
-    int width = 1280;  ///< of the camera's pictures
+    int width = 1280;  ///< size of the camera's pictures
     int height = 720;
     int hz = 30;  ///< frame rate requested from the camera
     int tagId = 0;

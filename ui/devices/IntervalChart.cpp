@@ -59,7 +59,7 @@ void IntervalChart::paintEvent(QPaintEvent*)
         if (count == 0.0)
             continue;
         const double high = std::max(2.0, area.height() * std::log1p(count) / most);
-        // The last bar is patterned: it has the longer intervals, too.
+        // The last bar is hatched, because it also counts all longer intervals.
         const bool isLast = bin + 1 == ExchangeFigures::kBins;
         painter.fillRect(
             QRectF(static_cast<double>(bin) * barPx, area.bottom() - high, std::max(1.0, barPx - 1.0), high),

@@ -20,8 +20,8 @@ class ForceTest;
 class IntervalChart;
 class PositionView;
 
-/// Shows the measurements of a ready device: position, grip buttons, and statistics of the exchange. Six buttons test
-/// its force.
+/// Shows measurements of a ready device: position, grip buttons, and statistics of the communication with it. Six
+/// buttons test its force.
 class LiveTest : public QFrame
 {
     Q_OBJECT
@@ -30,7 +30,7 @@ public:
 
     /// @param scale  movement of the hand per movement of the bur
     void setReport(const core::session::DeviceReport& report, double scale);
-    /// Sets whether the parts are stacked, for a narrow page.
+    /// Sets whether the parts are one below the other, for a narrow page.
     void setNarrow(bool isNarrow);
     [[nodiscard]] const ForceTest& force() const { return *m_force; }
 

@@ -5,7 +5,7 @@ class QPushButton;
 
 namespace ui::devices {
 
-/// Sets whether a button is filled. The filled button of a page is its next step.
+/// Sets whether a button is filled. The filled button of a page is the recommended next step.
 void setFilled(QPushButton& button, bool isFilled);
 
 }  // namespace ui::devices

@@ -131,7 +131,7 @@ ControllerSettings PedalCard::settingsOf(const Controller& controller) const
     return known != m_settings.end() ? known->second : firstSettings(controller.isGamepad);
 }
 
-/// Updates the list only when a controller is plugged in or removed: the list may be open.
+/// Updates the list only when a controller is plugged in or removed, because the user may have opened the list.
 void PedalCard::listControllers()
 {
     const auto& all = m_state.report.controllers;
@@ -188,7 +188,7 @@ void PedalCard::change(const ControllerSettings& settings)
     if (controller == nullptr)
         return;
     const QString guid = QString::fromStdString(controller->guid);
-    // Both parts have a copy of the settings, which are of one controller.
+    // Both cards have a copy of the settings of the controller.
     m_settings[guid] = settings;
     m_shownSettings = settings;
     m_setup->setSettings(settings);
@@ -207,7 +207,7 @@ void PedalCard::choosePedal(bool isPedal)
     emit pedalChosen(m_pedal, m_state.pedalName);
 }
 
-/// Forgets a pedal that was removed for good, so that it is not waited for.
+/// Forgets a pedal that was removed for good, so that the program does not wait for it.
 void PedalCard::forgetPedal()
 {
     m_pedal.clear();

@@ -22,9 +22,9 @@ class AxisBars;
 class ControllerButtonsCard;
 class PedalSetupCard;
 
-/// Foot pedals and gamepads on the devices page: their axes and buttons, live, and their settings.
+/// Foot pedals and gamepads on the devices page: live display of their axes and buttons, and their settings.
 ///
-/// It reads no controller. Its owner passes reports and settings to it and handles its signals.
+/// This widget reads no controller. Its owner passes reports and settings to it and handles its signals.
 class PedalCard : public QWidget
 {
     Q_OBJECT
@@ -36,21 +36,21 @@ public:
     void setReport(const core::session::ControllerReport& report);
     /// Sets the settings of one kind of controller.
     void setSettings(const QString& guid, const ControllerSettings& settings);
-    /// Sets the controller that turns the bur.
+    /// Sets the controller that runs the bur.
     /// @param guid  empty: none
     void setPedal(const QString& guid, const QString& name);
 
-    /// Returns the current state, for the head of the page and its list.
+    /// Returns the current state, for the page's header and its list.
     [[nodiscard]] const ControllerState& state() const { return m_state; }
-    /// Returns the controller that is shown; null if none is plugged in.
+    /// Returns the shown controller, or null if none is plugged in.
     [[nodiscard]] const core::session::Controller* shown() const;
-    /// Returns whether the user is teaching a pedal or a button. Buttons have no other effect meanwhile.
+    /// Returns whether the user is teaching a pedal or a button. Meanwhile buttons have no other effect.
     [[nodiscard]] bool isLearning() const;
 
 signals:
     /// Emitted when the user has changed the settings of a controller.
     void settingsChanged(const QString& guid, const ui::devices::ControllerSettings& settings);
-    /// Emitted when the user chooses the controller that turns the bur; empty: none.
+    /// Emitted when the user chooses the controller that runs the bur. Empty: none.
     void pedalChosen(const QString& guid, const QString& name);
     /// Emitted when state() has changed.
     void stateChanged();

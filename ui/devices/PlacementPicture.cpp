@@ -18,7 +18,7 @@ using namespace ui::kit;
 // The drawings are made in a square of this side.
 constexpr double kSquare = 160.0;
 constexpr double kBodyRadius = 30.0;
-constexpr double kArmPx = 34.0;  ///< from the front of the body to the grip
+constexpr double kArmPx = 34.0;  ///< distance from the front of the body to the grip
 constexpr double kGripRadius = 7.0;
 constexpr double kTableY = 132.0;
 
@@ -27,7 +27,7 @@ QPen drawnWith(const QColor& colour, double widthPx)
     return {colour, widthPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
 }
 
-/// Paints the body, with its arms along +x and the grip at their end.
+/// Paints the device's body, with its arms along +x and the grip at their end.
 void paintDevice(QPainter& painter, const QPalette& palette)
 {
     const QColor words = palette.color(QPalette::WindowText);
@@ -90,7 +90,7 @@ void PlacementPicture::paintFromTheSide(QPainter& painter) const
     painter.drawLine(QPointF(8.0, kTableY), QPointF(kSquare - 8.0, kTableY));
     painter.save();
     if (m_setup.stand == DeviceSetup::Stand::Upright) {
-        // The foot, under the middle of the body.
+        // The foot below the middle of the body.
         painter.setPen(drawnWith(words, 1.6));
         painter.setBrush(palette().color(QPalette::Base));
         const QPolygonF foot{

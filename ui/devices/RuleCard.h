@@ -12,7 +12,7 @@ class QPlainTextEdit;
 
 namespace ui::devices {
 
-/// Explains how to let every user of the computer open the device: a udev rule to copy, and the file for it.
+/// Explains how to let every user of the computer open the device: a udev rule to copy, and the file to put it in.
 class RuleCard : public QFrame
 {
     Q_OBJECT

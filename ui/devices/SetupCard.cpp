@@ -66,7 +66,7 @@ SetupCard::SetupCard(QWidget* parent)
     auto* stand = headingLabel(this);
     addGroup(stand, m_stands, {"standUpright", "standOnItsBack", ""}, [](DeviceSetup& setup, int id) {
         setup.stand = static_cast<DeviceSetup::Stand>(id);
-        setup.restMm = 0.0;  // the hand is elsewhere now
+        setup.restMm = 0.0;  // the hand is in another place now
     });
     auto* side = headingLabel(this);
     addGroup(side, m_sides, {"sideFront", "sideRight", "sideLeft"},

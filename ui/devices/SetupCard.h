@@ -16,7 +16,7 @@ namespace ui::devices {
 
 class PlacementPicture;
 
-/// The placement of the device, with a picture: orientation, side and scale.
+/// The form for the placement of the device, with a picture: orientation, side and scale.
 class SetupCard : public QFrame
 {
     Q_OBJECT

@@ -21,7 +21,7 @@ namespace ui::devices {
 
 /// Sound on the devices page: the volumes, the audio output, and a sample to test them.
 ///
-/// It plays nothing. Its owner passes reports, outputs and settings to it and handles its signals.
+/// This widget plays nothing. Its owner passes reports, outputs and settings to it and handles its signals.
 class SoundCard : public QWidget
 {
     Q_OBJECT
@@ -33,7 +33,7 @@ public:
     void setReport(const sound::SoundReport& report);
     [[nodiscard]] const sound::SoundSettings& settings() const { return m_settings; }
     [[nodiscard]] const sound::SoundReport& report() const { return m_report; }
-    /// Returns the check box "Play sound", which the page shows in its head.
+    /// Returns the check box "Play sound", which the page shows in its header.
     [[nodiscard]] QCheckBox& soundSwitch() { return *m_switch; }
 
 signals:
@@ -44,7 +44,7 @@ signals:
     void stateChanged();
 
 private:
-    /// One volume: the total (0) or a part (1 and up).
+    /// One volume: the overall volume (0), or that of a part of the sound (1 and above).
     struct Volume
     {
         QLabel* caption = nullptr;

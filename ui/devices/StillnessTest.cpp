@@ -29,7 +29,7 @@ constexpr int kProgressSteps = 100;
 constexpr double kScreenMmPerInch = 25.4;
 constexpr int kStillDecimals = 2;
 
-/// Limit for a steady hand; docs/hand-and-rest.md has the reasons.
+/// Limits for a steady hand; see docs/hand-and-rest.md for the reasons.
 constexpr Stillness kSteadyOnTooth{0.5, 0.15};
 constexpr Stillness kSteadyOnScreen{3.0, 0.5};
 

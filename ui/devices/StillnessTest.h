@@ -15,22 +15,22 @@ class QPushButton;
 
 namespace ui::devices {
 
-/// Lets the user hold the hand still for 8 seconds and shows its drift and tremor. Measures the grip of a force device
-/// or, without one, the pointer on the screen.
+/// Measures drift and tremor while the user holds the hand still for 8 seconds. Measures the grip of a force device or,
+/// without one, the pointer on the screen.
 class StillnessTest : public QWidget
 {
     Q_OBJECT
 public:
-    static constexpr double kLeadS = 2.0;  ///< from the button to the start of the measurement
+    static constexpr double kLeadS = 2.0;  ///< time from pressing the button to the start of the measurement
 
     explicit StillnessTest(QWidget* parent);
 
     /// Clears the result.
-    /// @param hasForce  a force device is measured; otherwise the pointer
+    /// @param hasForce  measures a force device instead of the pointer
     void begin(bool hasForce);
-    /// Sets the place of the force device's bur, tooth frame, mm. Empty if the device is not ready.
+    /// Sets the position of the force device's bur, tooth frame, mm. Empty: the device is not ready.
     void setBur(std::optional<glm::dvec3> burMm);
-    /// Focuses the start button, so that the space bar starts the test.
+    /// Sets the focus to the start button, so that the space bar starts the test.
     void focusStart();
     /// Stops a running test.
     void stop();
@@ -52,7 +52,7 @@ private:
     std::optional<glm::dvec3> m_burMm;
     std::optional<core::session::StillnessCheck> m_check;  ///< of the running test
     std::optional<core::session::Stillness> m_result;
-    const char* m_failure = nullptr;  ///< source text for translation
+    const char* m_failure = nullptr;  ///< untranslated text
     double m_startS = 0.0;
     QTimer m_look{this};
     QLabel* m_words;

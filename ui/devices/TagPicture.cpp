@@ -20,7 +20,7 @@ constexpr double kOutlinePx = 3.0;
 constexpr double kHaloPx = 6.0;
 constexpr double kTopMarkPx = 7.0;  ///< height of the arrow on the upper edge of the tag
 
-/// The pictures are the same in both themes, so the outline is, too: light on dark.
+/// The camera's picture is the same in both themes, so its outlines are light on dark in both.
 const QColor kOutline(0x3D, 0xD6, 0xD0);
 const QColor kHalo(0, 0, 0, 170);
 
@@ -69,7 +69,7 @@ void TagPicture::describe()
                                     : tr("Picture of the camera, without the tag"));
 }
 
-/// Returns the place of the picture: as large as fits.
+/// Returns the rectangle of the picture, scaled to fit.
 QRectF TagPicture::place() const
 {
     const QSizeF fitting = QSizeF(m_picture.size()).scaled(QSizeF(size()), Qt::KeepAspectRatio);
@@ -96,7 +96,7 @@ void TagPicture::paintEvent(QPaintEvent*)
     painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
     QPainterPath frame;
     frame.addRoundedRect(rect(), kRadius, kRadius);
-    const QPalette dark = roomPalette();  // in both themes, as around a film
+    const QPalette dark = roomPalette();  // in both themes, like the surroundings of a film
     painter.fillPath(frame, dark.color(QPalette::Window));
     if (!hasPicture()) {
         painter.setFont(typeface(kBody));
@@ -122,7 +122,7 @@ void TagPicture::paintEvent(QPaintEvent*)
             QPen(isHalo ? kHalo : kOutline, isHalo ? kHaloPx : kOutlinePx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.setBrush(Qt::NoBrush);
         painter.drawPolygon(corners);
-        // An arrow on the upper edge, for a tag that is upside down.
+        // An arrow at the upper edge shows whether a tag is upside down.
         const QPointF middle = 0.5 * (corners.at(2) + corners.at(3));
         const QPointF along = 0.5 * (corners.at(2) - corners.at(3));
         QPointF up = middle - 0.25 * (corners.at(0) + corners.at(1) + corners.at(2) + corners.at(3));

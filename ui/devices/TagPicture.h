@@ -13,7 +13,7 @@
 
 namespace ui::devices {
 
-/// The picture of the camera, with the outline of the tag.
+/// Shows the camera's picture with the outline of the tag.
 class TagPicture : public QWidget
 {
     Q_OBJECT

@@ -19,7 +19,7 @@ using core::tracking::kEdgeCells;
 
 constexpr double kMmPerInch = 25.4;
 constexpr int kSheetDpi = 1200;
-/// All pages stay within this, so that A4 and Letter have a margin of at least 12 mm round it.
+/// Size of all pages' content, so that A4 and Letter have a margin of at least 12 mm.
 constexpr QSizeF kContentMm{186.0, 250.0};
 constexpr double kThinMm = 0.2;
 constexpr double kTitleMm = 5.0;  ///< heights of letters
@@ -35,7 +35,7 @@ double withBorder(double edgeMm)
 
 }  // namespace
 
-/// Draws in millimetres. Letters are laid out in dots, because their sizes are whole numbers.
+/// Draws with coordinates in millimetres. Text is laid out in dots, because font sizes are whole numbers.
 class TagSheet::Pen
 {
 public:
@@ -71,7 +71,7 @@ public:
         m_painter.drawText(QRectF({}, where.size() * m_dotsPerMm), static_cast<int>(at) | Qt::TextWordWrap, words);
         m_painter.restore();
     }
-    /// An arrow that points up, as wide as half its height.
+    /// Draws an arrow that points up. Its width is half its height.
     void upArrow(const QRectF& where)
     {
         QPainterPath arrow;
@@ -163,7 +163,7 @@ void TagSheet::paintTag(Pen& pen, const QPointF& upperLeft, double edgeMm) const
         for (int column = 0; column < kCellsASide; ++column)
             if (!m_cells.at(static_cast<std::size_t>(row * kCellsASide + column)))
                 black.addRect(upperLeft.x() + column * cell, upperLeft.y() + row * cell, cell, cell);
-    // One shape: between cells of their own, some programs show white lines.
+    // Filled as one shape, because some programs show white lines between separate cells.
     pen.fill(black.simplified());
     const QRectF label(upperLeft.x(), upperLeft.y() + side, side, kLabelMm);
     pen.write(label.adjusted(0.5 * cell, 1.0, 0.0, 0.0), kSmallPrintMm, tr("Tag %1, edge %2 mm").arg(m_id).arg(edgeMm));
@@ -197,7 +197,7 @@ void TagSheet::paintHeadband(Pen& pen) const
             tr("The wedge: glue it to stiff card, cut it out, fold it along the dotted lines to a triangle, and glue "
                "its flap to its foot. Glue it behind the tag, the foot below. It keeps the tag flat and tilts it by "
                "20 degrees."));
-    // The wedge, opened flat.
+    // The net of the wedge.
     constexpr double kFlapMm = 10.0;
     constexpr double kSideMm = 60.0;
     const double foot = 2.0 * kSideMm * std::sin(0.5 * kTiltDeg * std::numbers::pi / 180.0);
@@ -242,7 +242,7 @@ void TagSheet::paintRuler(Pen& pen, const QPointF& leftEnd)
     pen.fill(QRectF(leftEnd.x(), leftEnd.y() - kThinMm, kRulerMm, kThinMm));
     for (int mark = 0; mark <= kMarks; ++mark) {
         const double length = mark % 5 == 0 ? kLongMm : kShortMm;
-        // The first begins where the line begins, the last ends where it ends.
+        // The first mark begins where the line begins, and the last one ends where it ends.
         const double x = leftEnd.x() + (kRulerMm - kThinMm) * mark / kMarks;
         pen.fill(QRectF(x, leftEnd.y() - length, kThinMm, length));
     }

@@ -13,8 +13,8 @@ class QPainter;
 
 namespace ui::devices {
 
-/// Printed sheets for head tracking at their exact size: tags to cut out, a headband with a tag, and the board for
-/// calibrating a camera. They fit A4 and Letter. The text is in the current language.
+/// Printed sheets for head tracking in their exact size: tags to cut out, a headband with a tag, and the board for
+/// calibrating a camera. They fit A4 and Letter. Their text is in the current language.
 class TagSheet
 {
     Q_DECLARE_TR_FUNCTIONS(ui::devices::TagSheet)
@@ -22,10 +22,10 @@ class TagSheet
 public:
     enum class Page { Tags, Headband, Board };
     static constexpr std::array kPages{Page::Tags, Page::Headband, Page::Board};
-    static constexpr std::array kEdgesMm{60.0, 50.0, 40.0};  ///< of the tags on the first page
-    static constexpr double kBandEdgeMm = 50.0;              ///< of the tag on the headband
-    static constexpr double kRulerMm = 100.0;                ///< on each page
-    static constexpr double kSquareMm = 25.0;                ///< of the board
+    static constexpr std::array kEdgesMm{60.0, 50.0, 40.0};  ///< black edges of the tags on the first page
+    static constexpr double kBandEdgeMm = 50.0;              ///< black edge of the tag on the headband
+    static constexpr double kRulerMm = 100.0;                ///< length of the ruler on each page
+    static constexpr double kSquareMm = 25.0;                ///< squares of the board
 
     TagSheet(int id, const core::tracking::TagCells& cells);
 

@@ -13,7 +13,8 @@ class TabularDigitsLabel;
 
 namespace ui::devices {
 
-/// Figures on the quality of head tracking: frame rate, share of frames with the tag, time, latency and jitter.
+/// Figures on the quality of head tracking: frame rate, share of frames with the tag, processing time, latency and
+/// jitter.
 class TrackingFigures : public QWidget
 {
     Q_OBJECT

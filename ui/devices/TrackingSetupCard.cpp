@@ -26,7 +26,7 @@ using namespace ui::kit;
 using core::tracking::CameraInfo;
 using Settings = HeadTrackingSettings;
 
-// What the entries of the list of cameras stand for, if not for the number of a camera.
+// Data of the camera list's entries that are not the number of a camera.
 constexpr int kThisVideo = -1;
 constexpr int kAnotherVideo = -2;
 constexpr int kAnotherFolder = -3;
@@ -77,7 +77,7 @@ TrackingSetupCard::TrackingSetupCard(QWidget* parent)
     m_measure->setObjectName(QStringLiteral("measureFieldOfView"));
     m_measure->setEnabled(false);
     for (QDoubleSpinBox* number : {m_fov, m_tagMm, m_gain})
-        number->setKeyboardTracking(false);  // each change begins the tracking anew
+        number->setKeyboardTracking(false);  // each change restarts the tracking
     for (const QSize& size : kSizes)
         m_size->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
     for (const int hz : kRates)
@@ -168,7 +168,7 @@ void TrackingSetupCard::retranslateUi()
     listLenses();
 }
 
-/// Arranges the card in rows of four equal columns, or of two.
+/// Arranges the card in rows of four equal columns, or of two if the card is narrow.
 void TrackingSetupCard::setNarrow(bool isNarrow)
 {
     const int columns = isNarrow ? kNarrowColumns : kColumns;

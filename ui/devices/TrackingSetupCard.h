@@ -26,7 +26,7 @@ public:
 
     void setCameras(const std::vector<core::tracking::CameraInfo>& cameras);
     void setSettings(const HeadTrackingSettings& settings);
-    /// Sets whether the tag is visible, so that the field of view can be measured.
+    /// Sets whether the camera sees the tag, so that the field of view can be measured.
     void setSeen(bool isSeen);
     /// Sets whether the form has two columns instead of four, for a narrow page.
     void setNarrow(bool isNarrow);

@@ -21,7 +21,7 @@ bool isVideo(const TrackingState& state)
     return !state.settings.video.isEmpty();
 }
 
-/// Returns whether a camera exposes for too long, as cameras do in little light.
+/// Returns whether the camera is much slower than requested, as cameras are when low light needs long exposures.
 bool isSlow(const TrackingState& state)
 {
     constexpr double kEnough = 0.7;

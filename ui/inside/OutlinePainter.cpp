@@ -35,9 +35,9 @@ constexpr double kAroundMm = 0.4;
 constexpr double kLightX = -0.5;
 constexpr double kLightY = 0.6;
 constexpr double kLightZ = 0.62;
-constexpr int kReliefPx = 600;         ///< side of the relief, about: smooth at the size it is shown in
-constexpr int kMostFiner = 4;          ///< pixels of the relief to a cell
-constexpr float kRimSharpness = 6.0F;  ///< of the rim: from outside to inside in about a pixel of the relief
+constexpr int kReliefPx = 600;         ///< approximate side of the relief; large enough to look smooth
+constexpr int kMostFiner = 4;          ///< pixels of the relief per cell
+constexpr float kRimSharpness = 6.0F;  ///< the rim changes from outside to inside within about a pixel of the relief
 
 struct Fit
 {
@@ -60,17 +60,17 @@ Fit fitOf(const QRectF& area, const FromAbove& above)
         plot.center(), mm.center()};
 }
 
-/// The colour at a node of the lattice, each value from 0 to 1. Outside the tooth, light and decay are those of its
+/// The colour at a node of the lattice; each value is 0 to 1. Nodes outside the tooth have the light and decay of the
 /// rim.
 struct ReliefNode
 {
     float isTooth = 0.0F;
     float light = 0.0F;
-    float decay = 0.0F;  ///< open at the surface
+    float decay = 0.0F;  ///< decay that is open at the surface
 };
 
 /// Returns the weighted mean of the solid nodes in the 3 x 3 around (i, j), and their share of the weights.
-/// @param valueOf  of the index of a node
+/// @param valueOf  returns the value at the index of a node
 template <typename Value>
 std::pair<float, float> smoothed(const core::terrain::ToothAnatomy& anatomy, int i, int j, const Value& valueOf)
 {
@@ -130,7 +130,7 @@ std::vector<ReliefNode> reliefNodes(const core::terrain::ToothAnatomy& anatomy)
 
 QRgb reliefPixel(const ReliefNode& node)
 {
-    // The rim lies where half of a node's surroundings is tooth: a smooth line across the steps of the lattice.
+    // The rim is where half of a node's neighbourhood is tooth: a smooth line across the steps of the lattice.
     const float inside = std::clamp((node.isTooth - 0.5F) * kRimSharpness + 0.5F, 0.0F, 1.0F);
     const float grey = 70.0F + 150.0F * node.light;
     const auto channel = [&](float enamel, float decay) {
@@ -141,7 +141,7 @@ QRgb reliefPixel(const ReliefNode& node)
                  static_cast<int>(std::lround(inside * 255.0F)));
 }
 
-/// Returns the tooth in a soft light from the upper left, brown where decay is open.
+/// Returns a picture of the tooth in soft light from the upper left. Open decay is brown.
 QImage reliefOf(const core::terrain::ToothAnatomy& anatomy, QRectF& shownMm)
 {
     const core::terrain::Grid& grid = anatomy.grid;
@@ -263,7 +263,7 @@ void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& sce
     const QPointF origin = fit.at({0.0, 0.0});
     onPaper *= QTransform::fromTranslate(origin.x(), origin.y());
     const QPainterPath outline = onPaper.map(above.outlineMm);
-    // One stroke as wide as the band is exactly what lies no farther from the outline.
+    // A stroke of this width covers exactly the points within the band's distance of the outline.
     const auto band = [&](double wideMm, const QBrush& brush) {
         if (wideMm > 0.0)
             painter.strokePath(outline, QPen(brush, 2.0 * wideMm * fit.pxPerMm, Qt::SolidLine, Qt::RoundCap));
@@ -303,7 +303,7 @@ void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& sce
     painter.drawText(words, Qt::AlignTop | Qt::AlignRight, right);
     const QFontMetricsF metrics = painter.fontMetrics();
     const double beside = std::max(metrics.horizontalAdvance(left), metrics.horizontalAdvance(right));
-    if (0.5 * metrics.horizontalAdvance(up) + beside + 4.0 < 0.5 * words.width())  // the others tell which way it lies
+    if (0.5 * metrics.horizontalAdvance(up) + beside + 4.0 < 0.5 * words.width())  // the others show the orientation
         painter.drawText(words, Qt::AlignTop | Qt::AlignHCenter, up);
     key.paint(painter, QRectF(area.left() + 8.0, keyTop, wide, 0.0), QColor(kWords));
     painter.restore();

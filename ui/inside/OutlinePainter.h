@@ -14,16 +14,17 @@ class QPainter;
 
 namespace ui::inside {
 
-/// The picture of a tooth from above and the outline of its ideal, computed once because they are slow. A plain value.
+/// The picture of a tooth from above and the outline of its ideal. Both are slow to compute, so they are computed once.
+/// A plain value.
 struct FromAbove
 {
     QImage relief;           ///< +y up; visible decay is brown
     QRectF reliefMm;         ///< position in the tooth frame
     QRectF shownMm;          ///< the tooth with a margin
-    QPainterPath outlineMm;  ///< of the ideal, as grading uses it: pieces in no order
+    QPainterPath outlineMm;  ///< outline of the ideal as grading uses it; unordered pieces
 };
 
-/// Computes both. About 20 ms at 150 x 150. Any thread but the ui thread.
+/// Computes the picture and the outline. About 20 ms at 150 x 150. Any thread but the ui thread.
 [[nodiscard]] FromAbove fromAbove(const core::terrain::ToothAnatomy& anatomy, const std::vector<float>& idealTop);
 
 struct OutlineScene
@@ -40,7 +41,8 @@ struct OutlineScene
 [[nodiscard]] QPointF placeOf(const QRectF& area, const FromAbove& above, QPointF mm);
 [[nodiscard]] QPointF mmAt(const QRectF& area, const FromAbove& above, QPointF place);
 
-/// Returns the area to paint in so that the picture fills this rectangle. Its texts are outside and must be clipped.
+/// Returns the area to paint in so that the picture fills a rectangle. Its labels are then outside the rectangle and
+/// must be clipped.
 [[nodiscard]] QRectF areaAround(const QRectF& picture);
 
 /// Paints the scene, dark in both themes, with the names of the sides. Needs no window.

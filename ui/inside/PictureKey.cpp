@@ -11,7 +11,7 @@ namespace ui::inside {
 namespace {
 
 constexpr double kRowPx = 19.0;
-constexpr double kBesidePx = 5.0;  ///< from a sign to its words
+constexpr double kBesidePx = 5.0;  ///< gap between a sign and its text
 constexpr double kApartPx = 12.0;
 
 QFont wordsFont()

@@ -10,8 +10,8 @@
 namespace ui::inside {
 namespace {
 
-/// The scanner's window: nothing of a tooth that is rightly exposed is lighter than the first density, and the air
-/// beside it has the second, or its own where the tooth needs little radiation.
+/// Density window of the scanner. In a correctly exposed film nothing of a tooth has less than the white density. Air
+/// has the black density, or less where the tooth needs little radiation.
 constexpr double kWhiteDensity = 0.6;
 constexpr double kBlackDensity = 2.95;
 

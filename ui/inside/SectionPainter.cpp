@@ -30,7 +30,7 @@ using core::terrain::Material;
 using core::terrain::MaterialSpan;
 using core::terrain::ToothAnatomy;
 
-/// Colours of a picture on the screen, and on paper.
+/// Colours of the background, for the screen and for paper.
 struct Ground
 {
     QRgb ground, grid, words;
@@ -38,8 +38,8 @@ struct Ground
 constexpr Ground kScreen{0xFF15181A, 0xFF2C3134, 0xFFB6BDBF};
 constexpr Ground kPaper{0xFFFFFFFF, 0xFFDADDDF, 0xFF2A2F31};
 constexpr QRgb kOverTissue = 0x30000000;  ///< grid lines over the tooth
-constexpr QRgb kSurface = 0xFF56C7C9;     ///< the surface as it was
-constexpr QRgb kIdealLine = 0xFFFFD23F;   ///< and as it ought to become
+constexpr QRgb kSurface = 0xFF56C7C9;     ///< the original surface
+constexpr QRgb kIdealLine = 0xFFFFD23F;   ///< the ideal surface
 constexpr QRgb kIdealShade = 0xB0101214;
 constexpr QRgb kToleranceFill = 0x9056C7C9;  ///< between the limits of a tolerance
 constexpr QRgb kToleranceHatch = 0xFF0B4F51;
@@ -48,28 +48,28 @@ constexpr QRgb kBorder = 0xFF000000;
 constexpr QRgb kPale = 0xFFE8C9A0;
 constexpr double kLeatheryPaler = 0.25;
 constexpr double kFirmPaler = 0.5;
-constexpr double kInkShare = 0.55;  ///< of a pattern and of a border over what lies under it
+constexpr double kInkShare = 0.55;  ///< opacity of a pattern or a border over the tissue
 constexpr QRgb kSteelEdge = 0xFF11140F;
 constexpr QRgb kMark = 0xFFFFFFFF;
 constexpr double kMarkPx = 9.0;  ///< radius of the ring
 
-constexpr double kGutterPx = 30.0;  ///< for the heights at the left
-constexpr double kFootPx = 20.0;    ///< for the lengths below
-constexpr double kHeadPx = 24.0;    ///< for where the ends point
+constexpr double kGutterPx = 30.0;  ///< left margin for heights
+constexpr double kFootPx = 20.0;    ///< lower margin for lengths
+constexpr double kHeadPx = 24.0;    ///< upper margin for the directions of both ends
 constexpr double kBelowKeyPx = 6.0;
-constexpr double kAboveMm = 1.6;       ///< shown over the highest point
+constexpr double kAboveMm = 1.6;       ///< height shown above the highest point
 constexpr double kAboveSmallMm = 0.6;  ///< the same in a small picture
 constexpr double kBesideMm = 0.5;
-constexpr double kLeastDepthMm = 9.0;  ///< what must be seen below the highest point
-constexpr double kBetweenPx = 6.0;     ///< two numbers below the picture
-constexpr double kLabelPx = 20.0;      ///< nearer than this, labels leave some out
+constexpr double kLeastDepthMm = 9.0;  ///< least depth shown below the highest point
+constexpr double kBetweenPx = 6.0;     ///< gap between two numbers below the picture
+constexpr double kLabelPx = 20.0;      ///< least distance between labels; some are omitted otherwise
 
-/// Converts millimetres of the plane to the paper.
+/// Converts millimetres in the plane to pixels of the picture.
 struct Frame
 {
     QRectF plot;
     double pxPerMm = 1.0;
-    double leftMm = 0.0;  ///< along the plane at the left edge
+    double leftMm = 0.0;  ///< distance along the plane at the left edge
     double topMm = 0.0;   ///< height at the upper edge
 
     [[nodiscard]] double x(double alongMm) const { return plot.left() + (alongMm - leftMm) * pxPerMm; }
@@ -78,9 +78,9 @@ struct Frame
     [[nodiscard]] double bottomMm() const { return topMm - plot.height() / pxPerMm; }
 };
 
-/// Returns the frame for the whole width of the tooth along the plane, wherever the plane is: the picture does not jump
-/// while the bur moves.
-/// @param aboveMm  height shown over the highest point
+/// Returns a frame for the full width of the tooth along the plane, wherever the plane is. The picture therefore does
+/// not jump while the bur moves.
+/// @param aboveMm  height shown above the highest point
 Frame frameFor(const QRectF& plot, const SectionScene& scene, double aboveMm)
 {
     const ToothAnatomy& anatomy = *scene.tooth->anatomy;
@@ -132,7 +132,7 @@ void paintLabels(QPainter& painter, const Frame& frame, const QColor& words)
     };
     const auto multiple = [](double mm, int every) { return static_cast<int>(std::lround(mm)) % every == 0; };
     const int up = stepFor(kLabelPx);
-    // "−12" is wider than it is high.
+    // A number such as "-12" is wider than it is high.
     const QFontMetricsF metrics(painter.font());
     double widest = 0.0;
     for (const double end : {std::ceil(frame.leftMm), std::floor(frame.rightMm())})
@@ -152,7 +152,7 @@ void paintLabels(QPainter& painter, const Frame& frame, const QColor& words)
                      Qt::AlignRight | Qt::AlignVCenter, unit);
 }
 
-/// Returns whether a pattern has ink at a pixel: strokes that rise to the right, wide and thin ones that fall, or dots.
+/// Returns whether a pattern has ink at a pixel: rising strokes, wide or thin falling strokes, or dots.
 bool hasInk(Qt::BrushStyle pattern, int x, int y)
 {
     constexpr int kStrokesPx = 8;
@@ -174,7 +174,8 @@ QRgb mixed(QRgb below, QRgb above, double share)
                  channel(qBlue(below), qBlue(above)), channel(qAlpha(below), qAlpha(above)));
 }
 
-/// Returns how much paler decay is at a height, mm: leathery decay is paler than soft, and firm paler than leathery.
+/// Returns how much paler decay is at a height in mm. Leathery decay is paler than soft decay, and firm decay paler
+/// than leathery.
 double paleShare(const core::terrain::DecayZones& zones, double heightMm)
 {
     if (heightMm <= static_cast<double>(zones.firmRoof))
@@ -182,8 +183,8 @@ double paleShare(const core::terrain::DecayZones& zones, double heightMm)
     return heightMm <= static_cast<double>(zones.leatheryRoof) ? kLeatheryPaler : 0.0;
 }
 
-/// Returns the picture of the materials, one column of device pixels for each sample: no seams, whatever the painter's
-/// scale. It is made pixel by pixel, because a thousand rectangles take longer.
+/// Returns the picture of the materials, with one column of device pixels per sample. It has no seams at any scale. It
+/// is drawn pixel by pixel, because a thousand rectangles take longer.
 QImage tissue(const Section& section, const Frame& frame, double pixelRatio, render::Palette palette)
 {
     const int width = static_cast<int>(section.samples.size());
@@ -215,7 +216,7 @@ QImage tissue(const Section& section, const Frame& frame, double pixelRatio, ren
                 const double share = std::min(bottom, y + 1.0) - std::max(top, static_cast<double>(y));
                 pixel = share >= 1.0 ? colour : mixed(pixel, colour, share);
             }
-            // A thin dark line where two materials meet, so that a border is more than two colours.
+            // A thin dark line where two materials meet, so that a border is not shown by colour alone.
             const int border = static_cast<int>(std::floor(bottom));
             if (below != nullptr && border >= 0 && border < height) {
                 QRgb& pixel = pixels[border * stride + x];
@@ -227,7 +228,7 @@ QImage tissue(const Section& section, const Frame& frame, double pixelRatio, ren
     return image;
 }
 
-/// Paints a line of heights, where there was tooth and the height exists.
+/// Paints a line through the heights, with gaps where there is no tooth or no height.
 void paintHeights(QPainter& painter, const Section& section, const Frame& frame, float SectionSample::*height,
                   const QPen& pen)
 {
@@ -263,8 +264,8 @@ QPen idealPen()
     return pen;
 }
 
-/// Paints the band between the highest and the lowest cut without loss, sample by sample; hatched, so that it is
-/// visible on any colour.
+/// Paints the band between the highest and the lowest cut that lose no points, sample by sample. It is hatched, so that
+/// it is visible on any colour.
 void paintBand(QPainter& painter, const Frame& frame, const SectionScene& scene, const Section& section)
 {
     const double toMm = section.fromMm + static_cast<double>(section.samples.size() - 1) * section.stepMm;
@@ -333,7 +334,7 @@ bool meetsTooth(const Section& section)
     });
 }
 
-/// Paints a note in the lower half, clear of the bur.
+/// Paints the note that the plane misses the tooth, in the lower half and clear of the bur.
 void paintNothingHere(QPainter& painter, const QRectF& plot, const Ground& ground)
 {
     const QString words = QCoreApplication::translate("Section", "The plane does not meet the tooth here.");
@@ -409,12 +410,12 @@ PictureKey keyOf(const SectionScene& scene)
     return key;
 }
 
-/// Paints the materials, a sample for each column of device pixels. Returns what was painted.
+/// Paints the materials, with one sample per column of device pixels. Returns the section.
 Section paintTissue(QPainter& painter, const Frame& frame, const SectionScene& scene)
 {
     const double pixelRatio = painter.device()->devicePixelRatioF();
     const int columns = std::max(2, static_cast<int>(std::ceil(frame.plot.width() * pixelRatio)));
-    // A sample stands in the middle of its column of pixels.
+    // A sample is in the middle of its column of pixels.
     const double halfPixelMm = 0.5 / (pixelRatio * frame.pxPerMm);
     const double toMm = frame.leftMm + (2.0 * columns - 1.0) * halfPixelMm;
     Section section = core::imaging::sectionOf(core::imaging::withCanals(*scene.tooth), scene.plane,
@@ -427,7 +428,7 @@ Section paintTissue(QPainter& painter, const Frame& frame, const SectionScene& s
 
 void paintIdeal(QPainter& painter, const Section& section, const Frame& frame)
 {
-    // Dark beneath, so that it is seen on every tissue.
+    // A dark line below makes the ideal line visible on every tissue.
     QPen under = idealPen();
     under.setColor(QColor::fromRgba(kIdealShade));
     under.setStyle(Qt::SolidLine);

@@ -23,12 +23,12 @@ struct SectionScene
     const core::terrain::Tooth* tooth = nullptr;
     core::imaging::SectionPlane plane;
     core::grading::IdealTop ideal;  ///< drawn as a dashed line; null: none
-    /// The region that may be cut without loss of points, drawn as a band around the ideal; null: none.
+    /// The region that can be cut without losing points, drawn as a band around the ideal; null: none.
     const core::preparation::ToleranceBand* band = nullptr;
     /// A bur whose axis lies in the plane, drawn at its true size; null: none.
     const core::bur::Bur* bur = nullptr;
     glm::dvec3 tipMm{0.0};
-    std::optional<double> downToPulpMm;  ///< length of a dotted line down from the tip
+    std::optional<double> downToPulpMm;  ///< length of a dotted line from the tip down to the pulp
     std::optional<glm::dvec3> markMm;    ///< a place in the plane, marked with a ring
     render::Palette palette = render::Palette::Natural;
     bool onPaper = false;  ///< dark text on white

@@ -28,11 +28,11 @@ namespace {
 using namespace kit;
 
 constexpr qint64 kPaintEveryMs = 30;
-/// At most every second frame of the view, so that a slow view gets no slower.
+/// Paints at most every second frame of the view, so that a slow view does not become slower.
 constexpr int kFramesBetween = 2;
-/// A faster change would make the last digit a blur.
+/// Faster changes would blur the last digit.
 constexpr qint64 kFiguresEveryMs = 80;
-constexpr double kStirMm = 0.005;  ///< a third of a pixel: less does not show
+constexpr double kStirMm = 0.005;  ///< a third of a pixel; smaller moves are invisible
 constexpr int kHalfTurnDeg = 180;
 constexpr int kAlongYDeg = 90;
 constexpr int kTurnDeg = 15;
@@ -74,7 +74,7 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     text::bindTranslation(this, [this] { setAccessibleName(tr("Section through the bur")); });
     text::bindTranslation(m_canvas, [this] { m_canvas->setAccessibleName(tr("Picture of the section")); });
 
-    // Named anew once there is a tooth.
+    // The captions are set again when there is a tooth.
     const auto choice = [this](int degrees) {
         auto* button = new QPushButton(this);
         button->setProperty("kind", "segment");
@@ -110,7 +110,7 @@ SectionView::SectionView(QWidget* parent) : QFrame(parent), m_canvas(new Section
     });
 }
 
-/// The slider that turns the section, with its caption and value.
+/// Makes the slider that turns the section, with its caption and value.
 QLayout* SectionView::makeAngle()
 {
     m_angle = new QSlider(Qt::Horizontal, this);
@@ -244,7 +244,7 @@ void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revisi
                          const core::servo::ServoState& servo, const core::imaging::DepthReading& reading)
 {
     SectionScene& scene = m_canvas->scene;
-    // The address may be that of a tooth that has gone: it is replaced whatever else happens.
+    // The old pointer may be dangling, so it is replaced in every case.
     scene.tooth = tooth;
     if (tooth == nullptr || !isVisible())
         return;
@@ -274,7 +274,7 @@ void SectionView::follow(const core::terrain::Tooth* tooth, std::uint64_t revisi
     m_tipMm = tipMm;
     scene.bur = hasBur ? &core::bur::burs()[servo.burIndex] : nullptr;
     scene.tipMm = tipMm;
-    // Without a hand the cut goes through the middle of the tooth.
+    // Without a bur the cut is through the middle of the tooth.
     scene.plane.throughMm = hasBur ? glm::dvec2(tipMm) : tooth->grid().middleMm();
     scene.downToPulpMm = hasBur && !m_held ? reading.downToPulpMm : std::nullopt;
     m_canvas->update();

@@ -41,13 +41,13 @@ public:
     void setColours(render::Palette colours);
     /// Sets the ideal over the grid of the tooth; null: none.
     void setIdeal(core::grading::IdealTop ideal);
-    /// Shows the section through this place, with the bur at it, instead of the current place of the bur; empty:
-    /// follows the bur again.
+    /// Shows the section through this place, with the bur there, instead of the bur's current position. Empty: follows
+    /// the bur again.
     void setHeld(std::optional<glm::dvec3> tipMm);
     /// Shows or hides the figures.
     void setFiguresShown(bool shown);
-    /// Turns the plane to this direction, seen from above; 0 is along x, in which the width of a marginal ridge is
-    /// seen. Rounds to degrees.
+    /// Turns the plane to this direction, seen from above, rounded to degrees. 0 is along x and shows the width of a
+    /// marginal ridge.
     void showAlong(double angleRad);
     /// Turns the plane about the bur by 15 degrees.
     void turn();
@@ -70,7 +70,7 @@ private:
     kit::TabularDigitsLabel* m_dentin;
     kit::TabularDigitsLabel* m_down;
     kit::TabularDigitsLabel* m_nearest;
-    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;  ///< whose sides are named
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;  ///< the tooth whose sides are labelled
     std::uint64_t m_revision = 0;
     std::optional<glm::dvec3> m_held;
     glm::dvec3 m_tipMm{0.0};

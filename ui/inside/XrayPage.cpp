@@ -36,10 +36,10 @@ using core::imaging::XrayedTooth;
 
 constexpr int kMostAngleDeg = 90;
 constexpr int kMostTiltDeg = 45;
-constexpr int kStepsToDouble = 3;  ///< of the exposure
+constexpr int kStepsToDouble = 3;  ///< steps of the exposure slider that double the exposure
 constexpr int kMostSteps = 2 * kStepsToDouble;
 constexpr double kMarginMm = 1.0;
-/// The grain of the two films. Always the same two, so that a picture can be made again.
+/// Seeds of the grain of the two films. They are constant, so that a picture can be reproduced.
 constexpr std::uint64_t kGrainBefore = 1;
 constexpr std::uint64_t kGrainNow = 2;
 constexpr int kSavedGapPx = 16;
@@ -55,7 +55,7 @@ double beamRadians(int degrees)
 
 }  // namespace
 
-/// A film with its caption, as large as fits.
+/// A film with its caption, scaled to fit.
 class FilmView : public QWidget
 {
 public:
@@ -75,14 +75,14 @@ public:
         m_film = film;
         update();
     }
-    /// Where the left and the right edge of the film lie.
+    /// Sets the names of the tooth sides at the left and right edges of the film.
     void setSides(const QString& left, const QString& right)
     {
         m_left = left;
         m_right = right;
         update();
     }
-    /// Where the film lies.
+    /// Returns the rectangle of the film, below the caption.
     [[nodiscard]] QRectF ground() const { return QRectF(rect()).adjusted(0, kCaptionPx, 0, 0); }
     [[nodiscard]] const QImage& film() const { return m_film; }
     [[nodiscard]] const QString& caption() const { return m_caption; }
@@ -157,7 +157,7 @@ void XrayPage::retranslateUi()
     nameSides();
 }
 
-/// Names the sides of the films by the sides of the tooth.
+/// Labels the edges of the films with the sides of the tooth.
 void XrayPage::nameSides()
 {
     const double right = ownBeam().angleRad - 0.5 * std::numbers::pi;
@@ -207,7 +207,7 @@ QWidget* XrayPage::makeControls(const Actions& actions)
     return holder;
 }
 
-/// The choice between one tooth and a bitewing.
+/// Adds the choice between one tooth and a bitewing.
 void XrayPage::addScenes(QHBoxLayout* row, QWidget* card)
 {
     const auto segment = [&](const char* words, const char* tip, const char* objectName) {
@@ -238,7 +238,7 @@ void XrayPage::addScenes(QHBoxLayout* row, QWidget* card)
     row->addLayout(scenes);
 }
 
-/// Direction of the beam, and exposure.
+/// Adds the sliders for the direction of the beam and the exposure.
 void XrayPage::addSliders(QHBoxLayout* row, QWidget* card)
 {
     const auto slider = [&](const char* caption, const char* tip, int low, int high, const char* objectName,
@@ -320,7 +320,7 @@ core::imaging::Beam XrayPage::ownBeam() const
 {
     core::imaging::Beam beam;
     beam.angleRad += beamRadians(m_angle->value());
-    // From above, the beam falls; the film of an upper tooth is turned over.
+    // The beam comes from above. The film of an upper tooth is flipped.
     beam.tiltRad = (m_tooth && isUpper(m_tooth->anatomy->fdi) ? 1.0 : -1.0) * beamRadians(m_tilt->value());
     return beam;
 }
@@ -357,7 +357,7 @@ XrayPage::Films XrayPage::filmsOf(const core::terrain::Tooth& tooth, const Wish&
             teeth.push_back(neighbour.xrayed());
     core::imaging::FilmArea area = wish.bitewing ? core::imaging::bitewingArea(teeth, wish.beam)
                                                  : core::imaging::shadowArea(teeth, wish.beam, kMarginMm);
-    // A film as wide as there is room for. A higher one would show roots that a bitewing has not.
+    // Widens the film to the room available. A higher film would show roots, which a bitewing does not.
     const glm::dvec2 size = area.highMm - area.lowMm;
     const double wider = 0.5 * std::max(0.0, size.y * wish.widthToHeight - size.x);
     area.lowMm.x -= wider;

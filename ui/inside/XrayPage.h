@@ -22,15 +22,15 @@ namespace ui::inside {
 
 class FilmView;
 
-/// Shows radiographs of the tooth side by side, before cutting and now. The user can change the beam and the exposure.
-/// Films are developed on a pool thread; only the newest request is answered.
+/// Shows radiographs of the tooth side by side: before cutting and now. The user can change the beam and the exposure.
+/// Films are developed in a pool thread. Only the newest request is answered.
 class XrayPage : public kit::Page
 {
     Q_OBJECT
 public:
     XrayPage(const kit::Actions& actions, QWidget* parent);
 
-    /// Sets the tooth. The settings of the beam stay.
+    /// Sets the tooth. The beam settings do not change.
     void setTooth(const core::terrain::Tooth& tooth);
     /// Returns both films side by side with their captions; null until they are developed.
     [[nodiscard]] QImage bothFilms() const;
@@ -38,7 +38,7 @@ public:
     [[nodiscard]] bool isReady() const { return !m_working; }
 
 signals:
-    /// Emitted when the user asks to save both films.
+    /// Emitted when the user requests to save both films.
     void saveRequested();
 
 protected:
@@ -51,7 +51,7 @@ private:
         core::imaging::Beam beam;
         double exposure = 1.0;
         bool bitewing = false;
-        double widthToHeight = 1.0;  ///< of the space for a film
+        double widthToHeight = 1.0;  ///< aspect ratio of the space for a film
     };
     struct Films
     {

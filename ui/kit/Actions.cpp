@@ -31,7 +31,7 @@ QString drawingOf(const QAction* action)
     return action->property(kDrawing).toString();
 }
 
-/// Returns the favourites of the last run, or else the first burs.
+/// Returns the favourite burs of the last run, otherwise the first burs.
 QList<int> rememberedBurs()
 {
     QList<int> favourites;
@@ -353,7 +353,7 @@ void Actions::giveKeysToBurs()
         burs[bursAtHand()[k]]->setShortcut(QKeySequence(Qt::Key_1 + static_cast<int>(k)));
     for (const Words& words : std::as_const(m_words))
         if (burs.contains(words.action))
-            say(words);  // tooltips name the keys
+            say(words);  // tooltips contain the shortcuts
     emit bursAtHandChanged();
 }
 
@@ -411,7 +411,7 @@ void Actions::say(const Words& words)
         words.action->setProperty(kOwnTip, whole);
     words.action->setText(words.text());
     words.action->setStatusTip(tip);
-    if (!refused)  // else the window sets the reason again
+    if (!refused)  // otherwise the window sets the reason again
         words.action->setToolTip(whole);
 }
 
@@ -464,7 +464,7 @@ QPushButton* pageButton(QAction* action, const char* kind, QWidget* parent)
         button->setAccessibleDescription(action->toolTip());
     });
     button->setFocusPolicy(Qt::TabFocus);
-    button->setAutoDefault(true);  // Enter presses it, too
+    button->setAutoDefault(true);  // Enter presses the button, too
     button->setEnabled(action->isEnabled());
     QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
     QObject::connect(action, &QAction::enabledChanged, button, &QPushButton::setEnabled);

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] const QList<Group>& groups() const { return m_groups; }
     /// Updates `pauseReplay`: it resumes the replay if that is paused, and pauses it otherwise.
     void showReplayPaused(bool paused);
-    /// Updates `account` and everything that depends on whether a user is logged in.
+    /// Updates `account` and all actions that depend on whether a user is logged in.
     /// @param username  empty: a guest
     void showAccount(const QString& username);
     /// Updates the icon and the tooltip of `devices`.
@@ -45,7 +45,7 @@ public:
     /// @param state    the device in use and its state
     void showDevice(const QString& drawing, const QString& state);
     [[nodiscard]] bool isGuest() const { return m_username.isEmpty(); }
-    /// The target of `back` on the current page.
+    /// Where `back` leads from the current page.
     enum class Back { Tooth, Lessons, Attempts, Class };
     void showWayBack(Back to);
     /// Sets the tooltip of an action: its own if it is allowed, otherwise the reason why it is not available. Does not
@@ -54,13 +54,13 @@ public:
     static void setAllowed(QAction* aid, bool allowed, const QString& whyNot = {});
     /// Returns whether setAllowed() has forbidden an action.
     [[nodiscard]] static bool isRefused(const QAction* aid);
-    /// Sets the indices of the burs that are at hand when the lesson names none, and stores them for the next run.
-    /// Invalid indices and all after the fourth valid one are ignored.
+    /// Sets the indices of the favourite burs, which are available when the lesson names none, and stores them for the
+    /// next run. Ignores invalid indices, and all after the fourth valid one.
     void setFavouriteBurs(const QList<int>& favourites);
     [[nodiscard]] const QList<int>& favouriteBurs() const { return m_favouriteBurs; }
     static constexpr int kMostFavouriteBurs = 4;
-    /// Indices of the burs that the panel shows and that the keys 1 to 4 choose: the first four that the lesson names,
-    /// otherwise the favourites.
+    /// Returns the indices of the burs that the panel shows and the keys 1 to 4 select: the first four that the lesson
+    /// names, otherwise the favourites.
     [[nodiscard]] const QList<int>& bursAtHand() const
     {
         return m_lessonBurs.isEmpty() ? m_favouriteBurs : m_lessonBurs;
@@ -69,7 +69,7 @@ public:
     /// @param ids  ids of the allowed burs; empty: all are allowed
     void allowBurs(const std::vector<std::string>& ids);
 
-    QAction* drill = nullptr;  ///< checkable: the bur turns
+    QAction* drill = nullptr;  ///< checkable: the bur runs
     QAction* otherHand = nullptr;
     QAction* bringHome = nullptr;  ///< hidden if the device cannot move the hand
     QAction* resetView = nullptr;
@@ -97,7 +97,8 @@ public:
     QAction* saveReference = nullptr;
     QAction* openRecording = nullptr;
     QAction* history = nullptr;  ///< checkable: the undo history is shown
-    // Of the replay. Hidden and disabled when no recording is played; their keys then have other meanings.
+    // Actions of the replay. Hidden and disabled if no recording is played, because their keys have other meanings
+    // then.
     QAction* pauseReplay = nullptr;  ///< shares the space bar with `drill`: one of the two is always disabled
     QAction* stepBack = nullptr;
     QAction* stepOn = nullptr;
@@ -114,7 +115,7 @@ public:
     QAction* radiograph = nullptr;
     QAction* outline = nullptr;  ///< checkable: the ideal preparation is outlined on the tooth
     QAction* turnRound = nullptr;
-    // Of the view (ViewMenu); all but the last two are checkable.
+    // Actions of the view (ViewMenu). All but the last two are checkable.
     QAction* mirror = nullptr;
     QAction* burLight = nullptr;
     QAction* depthColours = nullptr;

@@ -28,7 +28,7 @@ BusyOverlay::BusyOverlay(QWidget* parent) : QFrame(parent), m_what(new QLabel(th
     m_what->setWordWrap(true);
     auto* progress = new QProgressBar(this);
     progress->setTextVisible(false);
-    progress->setRange(0, 0);  // how far it is cannot be told
+    progress->setRange(0, 0);  // the progress is unknown
     text::bindTranslation(progress, [progress] { progress->setAccessibleName(tr("Progress")); });
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace6, kSpace4, kSpace6, kSpace6);

@@ -9,8 +9,8 @@ class QLabel;
 
 namespace ui::kit {
 
-/// Shows over the middle of the window what the program is working on. Appears after kPatienceMs, so that short work
-/// does not make it flash.
+/// Shows the running operation over the middle of the window. Appears after kPatienceMs, so that it does not flash for
+/// short operations.
 class BusyOverlay : public QFrame
 {
     Q_OBJECT

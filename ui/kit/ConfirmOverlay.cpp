@@ -91,7 +91,7 @@ ConfirmOverlay::ConfirmOverlay(const Question& question, QWidget* parent)
 void ConfirmOverlay::answer(const std::function<void()>& doing)
 {
     hide();
-    // A test, or a second question, finds it gone.
+    // A test, or a second question, must not find this one any more.
     setObjectName({});
     deleteLater();
     if (m_before && m_before->isVisible())
@@ -100,7 +100,7 @@ void ConfirmOverlay::answer(const std::function<void()>& doing)
     todo();
 }
 
-/// Keeps all keys from the rest of the window.
+/// Consumes all key events, so that none reaches the rest of the window.
 bool ConfirmOverlay::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
@@ -146,7 +146,7 @@ void ConfirmOverlay::keyPressEvent(QKeyEvent* event)
         m_answers.back()->click();
         return;
     }
-    // The letters of the answers work without Alt, too.
+    // The mnemonics of the answers work without Alt, too.
     for (QPushButton* button : std::as_const(m_answers)) {
         const qsizetype mark = button->text().indexOf(u'&');
         if (mark >= 0 && !event->text().isEmpty() &&

@@ -12,10 +12,10 @@ class QPushButton;
 
 namespace ui::kit {
 
-/// A modal question inside the window, asked before data would be lost. It offers to discard, to cancel and, if that is
-/// possible, to save; a veil blocks the rest of the window and its shortcuts. Esc and a click on the veil cancel. The
-/// overlay deletes itself after an answer. Without `discard` no data is at stake, and the question only asks for
-/// consent.
+/// A modal question inside the window, asked before data would be lost. It has buttons to discard, to cancel and, if
+/// possible, to save. An overlay blocks the rest of the window and its shortcuts. Esc and a click beside the question
+/// cancel. The object deletes itself after an answer. Without `discard` no data is at risk, and the question only asks
+/// for confirmation.
 class ConfirmOverlay final : public QWidget
 {
     Q_OBJECT
@@ -24,10 +24,10 @@ public:
     {
         QString text;
         QString detail;    ///< in smaller type, below the text
-        QString saveText;  ///< of the button that saves; empty: saving is not possible
+        QString saveText;  ///< text of the button that saves; empty: saving is not possible
         std::function<void()> save;
         std::function<void()> discard;
-        QString stayText = {};  ///< of the button that cancels, if saveText is empty; empty: "Stay"
+        QString stayText = {};  ///< text of the button that cancels, if saveText is empty; empty: "Stay"
         QString drawing = QStringLiteral("warning");  ///< name of its icon
     };
 

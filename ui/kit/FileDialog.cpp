@@ -35,7 +35,7 @@ QStringList patternsOf(const QStringList& nameFilters)
     return patterns;
 }
 
-/// Chooses icons by name, and never opens a file.
+/// Chooses icons by file name, and never opens a file.
 class ByName final : public QFileIconProvider
 {
 public:
@@ -51,7 +51,7 @@ public:
     }
 };
 
-/// Writes sizes and dates in the program's language. Qt's own model uses the computer's.
+/// Formats sizes and dates in the program's language. Qt's own model uses the system's language.
 class InProgramsLanguage final : public QIdentityProxyModel
 {
 public:
@@ -72,13 +72,14 @@ public:
 
 }  // namespace
 
-// It begins to look around at once: where there is no school's file, until it has learned how to look.
+// QFileDialog lists its folder at once. It therefore begins in the root folder, where no database is, and changes to
+// the requested folder after its icon provider has been set.
 FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter)
     : QFileDialog(parent, title, QDir::rootPath(), filter), m_refusal(new QLabel(this))
 {
     static ByName byName;
     setAttribute(Qt::WA_DeleteOnClose);
-    setOption(DontUseNativeDialog);  // a desktop's own may look into files, too
+    setOption(DontUseNativeDialog);  // a desktop's own dialog may open files to preview them
     setIconProvider(&byName);
     setProxyModel(new InProgramsLanguage(this));
     setDirectory(folder);
@@ -89,11 +90,11 @@ FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& fol
         rows->addWidget(m_refusal, rows->rowCount(), 0, 1, rows->columnCount());
     if (auto* name = findChild<QLineEdit*>(QStringLiteral("fileNameEdit")))
         connect(name, &QLineEdit::textChanged, m_refusal, &QWidget::hide);
-    // Qt makes room for a date as it is written in English, and little for the others.
+    // Qt sizes the columns for English dates, which is too narrow for other languages.
     if (auto* list = findChild<QTreeView*>(QStringLiteral("treeView")))
         for (const int column : {kSize, kKind, kModified})
             list->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-    // Without a window manager nobody else gives the keys back.
+    // Without a window manager, no one else returns the focus to the parent window.
     if (parent != nullptr)
         connect(this, &QDialog::finished, parent->window(), [window = parent->window()] { window->activateWindow(); });
 }
@@ -118,7 +119,7 @@ void FileDialog::accept()
 {
     if (acceptMode() == AcceptSave)
         for (const QString& file : selectedFiles()) {
-            const QFileInfo there(QFileInfo(file).canonicalFilePath());  // where a link leads
+            const QFileInfo there(QFileInfo(file).canonicalFilePath());  // target of a link
             if (there.isFile() && !QDir::match(patternsOf(nameFilters()), there.fileName())) {
                 m_refusal->setText(
                     tr("%1 is a file of another kind and stays as it is. Choose another name.").arg(there.fileName()));

@@ -36,7 +36,7 @@ void FoldingBar::mayGo(QWidget* widget)
 bool FoldingBar::event(QEvent* event)
 {
     const bool taken = QFrame::event(event);
-    if (event->type() == QEvent::LanguageChange)  // all that stands in the row has its new words by now
+    if (event->type() == QEvent::LanguageChange)  // all widgets in the row have been retranslated by now
         fold();
     return taken;
 }
@@ -49,7 +49,8 @@ void FoldingBar::resizeEvent(QResizeEvent* event)
 
 bool FoldingBar::eventFilter(QObject* watched, QEvent* event)
 {
-    // A button more, or one less; other words, once all buttons have them.
+    // Folds again when a button appears or vanishes. After a language change, waits until all buttons have been
+    // retranslated.
     if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent)
         fold();
     else if (event->type() == QEvent::LanguageChange)

@@ -9,7 +9,7 @@ class QToolButton;
 
 namespace ui::kit {
 
-/// A bar of buttons. When it is too narrow, it first hides the widget of mayGo(), then reduces the buttons of mayFold()
+/// A bar of buttons. If it is too narrow, it first hides the widget of mayGo(), then reduces the buttons of mayFold()
 /// to their icons.
 class FoldingBar : public QFrame
 {
@@ -20,8 +20,8 @@ public:
     [[nodiscard]] QHBoxLayout& row() { return *m_row; }
     /// Lets the bar reduce a button to its icon. The button must be in row() and have text, an icon and a tooltip.
     void mayFold(QToolButton* button);
-    /// Lets the bar hide a widget whose content is also shown elsewhere. The widget must be in row(). There is one at
-    /// most.
+    /// Lets the bar hide a widget whose content is also shown elsewhere. The widget must be in row(). Only one widget
+    /// can be set.
     void mayGo(QWidget* widget);
     /// Lays the bar out again. Call after the text of a widget in row() has changed.
     void fold();

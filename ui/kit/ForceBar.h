@@ -5,8 +5,8 @@
 
 namespace ui::kit {
 
-/// Shows the force on the hand as a bar, with a mark at the push force that is set for the pointer. Has the scale of
-/// the slider that sets the push force.
+/// Shows the force on the hand as a bar, with a mark at the push force set for the pointer. The scale is that of the
+/// push force slider.
 class ForceBar : public QWidget
 {
     Q_OBJECT
@@ -14,8 +14,8 @@ public:
     /// @param fullN  the force at the right end, N
     ForceBar(double fullN, QWidget* parent);
 
-    /// @param setN     the push force that is set for the pointer, N
-    /// @param limited  the force was clamped to what the device may give; the bar then has the attention colour
+    /// @param setN     the push force set for the pointer, N
+    /// @param limited  the force was clamped to the device's limit; the bar then has the attention colour
     void setForce(double forceN, double setN, bool limited);
     [[nodiscard]] QSize sizeHint() const override { return {160, 12}; }
 

@@ -38,7 +38,7 @@ struct Words
     Q_DECLARE_TR_FUNCTIONS(ui::kit::FormInputs)
 };
 
-/// Returns the locale of the window's language, but without group separators.
+/// Returns the locale of the window's language without group separators.
 QLocale formLocale()
 {
     QLocale locale;
@@ -46,15 +46,15 @@ QLocale formLocale()
     return locale;
 }
 
-/// A number input in which a point and a comma are both the decimal sign, in every language: 0.25 typed in German is a
-/// quarter. A number beyond the range can be typed, but neither it nor a part of it is taken: 99 is not read as 9. The
-/// earlier value stays, and a note below explains it.
+/// A number input in which a point and a comma are both decimal signs in every language: 0.25 typed in German is a
+/// quarter. A number beyond the range can be typed, but neither it nor a part of it becomes the value: 99 is not read
+/// as 9. The value does not change, and a note below explains why.
 class NumberInput final : public QDoubleSpinBox
 {
 public:
     explicit NumberInput(QWidget* parent) : QDoubleSpinBox(parent)
     {
-        // Comes before what is typed is taken, and textChanged after it.
+        // Emitted before the typed text becomes the value. textChanged is emitted after that.
         connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
             if (!std::exchange(m_isTyping, true))
                 m_before = value();
@@ -102,7 +102,7 @@ protected:
     }
 
 private:
-    /// Nothing where it is no number yet.
+    /// Returns the typed number, or nothing if the text is not a number yet.
     [[nodiscard]] std::optional<double> typedIn(const QString& text) const
     {
         const QString number = (text.endsWith(suffix()) ? text.chopped(suffix().size()) : text).trimmed();
@@ -119,7 +119,7 @@ private:
         return typed >= minimum() && typed <= maximum() && (decimals() > 0 || typed == std::floor(typed));
     }
 
-    /// What was typed last, key by key.
+    /// Checks the typed text. Refuses a number that does not fit, and explains why if more digits cannot make it fit.
     void weigh()
     {
         m_isTaking = false;
@@ -137,13 +137,13 @@ private:
         const QSignalBlocker quiet(lineEdit());
         lineEdit()->setText(text);
         lineEdit()->setCursorPosition(at);
-        // The 1 of 15 may be too little; but more digits bring nothing back that is too far from 0.
+        // A number that is too close to 0 may fit after more digits, as the 1 of 15. One that is too far from 0 cannot.
         const bool mayYetFit = (*typed >= 0.0 && *typed < minimum()) || (*typed <= 0.0 && *typed > maximum());
         if (!mayYetFit)
             note(rangeSentence());
     }
 
-    /// It was set otherwise meanwhile, as by its arrows.
+    /// Ends the check of typed text after the value was set otherwise, for example by the arrow buttons.
     void forgetTyping()
     {
         m_isTyping = false;
@@ -160,7 +160,7 @@ private:
                                : Words::tr("Only %1 to %2 can be entered here.").arg(low, high);
     }
 
-    /// Beside it for a while, or over what is below: forms have no room for it.
+    /// Shows a note over the widgets below for a while, because forms have no room for it.
     void note(const QString& words)
     {
         if (!m_note) {
@@ -192,14 +192,14 @@ private:
         });
     }
 
-    double m_before = 0.0;  ///< when typing began
+    double m_before = 0.0;  ///< the value when typing began
     bool m_isTyping = false;
-    bool m_isTaking = false;   ///< what is typed just now
-    bool m_isRefused = false;  ///< what stands there
+    bool m_isTaking = false;   ///< the text is being changed just now
+    bool m_isRefused = false;  ///< the present text was refused
     QPointer<QLabel> m_note;
 };
 
-/// Paints the entries of a list, far enough apart to click.
+/// Paints the entries of a list, high enough to click.
 class EntryDelegate final : public QStyledItemDelegate
 {
 public:
@@ -227,7 +227,7 @@ public:
         }
         if (event->type() == QEvent::LanguageChange)
             if (auto* number = qobject_cast<QAbstractSpinBox*>(watched))
-                number->setLocale(formLocale());  // with the decimal sign of that language
+                number->setLocale(formLocale());  // uses the decimal sign of that language
         if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
             event->ignore();
             return true;
@@ -278,7 +278,7 @@ QLabel* faultLabel(QWidget* parent)
     return made;
 }
 
-/// Shows a fault with a sign before the words, so that it is not marked by colour alone.
+/// Shows an error with a warning sign before the text, so that it is not marked by colour alone.
 void showFault(QLabel* label, const QString& what)
 {
     label->setText(what.isEmpty() ? QString() : QStringLiteral("⚠ ") + what);
@@ -313,7 +313,7 @@ QSpinBox* countInput(int low, int high, QWidget* parent)
 {
     auto* input = new CountInput(parent);
     input->setRange(low, high);
-    input->setKeyboardTracking(false);  // 9 and 99 are no numbers of who types 9999
+    input->setKeyboardTracking(false);  // otherwise typing 9999 would set 9 and 99 as well
     bindToForm(input);
     return input;
 }
@@ -321,7 +321,8 @@ QSpinBox* countInput(int low, int high, QWidget* parent)
 QComboBox* choiceInput(const QString& name, QWidget* parent)
 {
     auto* made = new QComboBox(parent);
-    // A list below, as high as its entries: Fusion's menu in its place cuts the last one off behind an arrow.
+    // Shows a list below the field, as high as its entries. Fusion's menu in its place would hide the last one behind
+    // an arrow.
     made->setStyleSheet(QStringLiteral("combobox-popup: 0"));
     made->setItemDelegate(new EntryDelegate(made));
     nameInput(made, name);

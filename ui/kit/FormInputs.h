@@ -33,14 +33,14 @@ void bindToForm(QWidget* input);
 /// @param name  for screen readers
 [[nodiscard]] QDoubleSpinBox* numberInput(double low, double high, int decimals, const QString& unit,
                                           const QString& name, QWidget* parent);
-/// Sets the number of an input. Does not touch an input that has this number already: the user may be typing its
+/// Sets the number of an input. Does nothing if the input has this number already, because the user may be typing
 /// decimals.
 void showNumber(QDoubleSpinBox& input, double number);
-/// Returns an input for a whole number. A number beyond the range can be typed; leaving the input restores the number
-/// before.
+/// Returns an input for a whole number. A number beyond the range can be typed, but leaving the input restores the
+/// previous number.
 [[nodiscard]] QSpinBox* countInput(int low, int high, QWidget* parent);
 [[nodiscard]] QComboBox* choiceInput(const QString& name, QWidget* parent);
-/// Sets the accessible name of a choice and of its list.
+/// Sets the accessible name of a combo box and of its list.
 void nameInput(QComboBox* choice, const QString& name);
 
 inline constexpr int kInputPx = 112;

@@ -36,7 +36,7 @@ bool InlineConfirmation::eventFilter(QObject* watched, QEvent* event)
     const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
     const bool isEscape = isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
     if (m_isAsked && event->type() == QEvent::ShortcutOverride && isEscape) {
-        event->accept();  // or else the page would be left
+        event->accept();  // otherwise Escape would leave the page
         return true;
     }
     const bool isNo = isEscape || event->type() == QEvent::Hide;

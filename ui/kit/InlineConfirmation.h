@@ -6,8 +6,8 @@
 
 namespace ui::kit {
 
-/// Asks for confirmation within a part of a page before something that cannot be undone. Pressing Esc or hiding the
-/// part withdraws the question.
+/// Asks for confirmation within a part of a page before an irreversible action. Pressing Esc or hiding the part cancels
+/// the question.
 class InlineConfirmation final : public QObject
 {
     Q_OBJECT
@@ -16,8 +16,8 @@ public:
 
     [[nodiscard]] bool isAsked() const { return m_isAsked; }
     void ask();
-    /// Returns whether a click may count as the answer. False for the time of two double clicks after ask(), so that a
-    /// double click does not confirm.
+    /// Returns whether a click may count as the answer. Returns false for the time of two double clicks after ask(), so
+    /// that a double click does not confirm.
     [[nodiscard]] bool mayBeAnswered() const;
     /// Ends the question without a signal.
     void end();

@@ -23,7 +23,7 @@ LanguageMenu::LanguageMenu(QWidget* parent) : QMenu(parent)
         action->setCheckable(true);
         action->setData(code);
         one->addAction(action);
-        // When the menu has closed: the words of all windows change under it.
+        // Queued until the menu has closed, because the texts of all windows change.
         connect(
             action, &QAction::triggered, this, [code] { choose(code); }, Qt::QueuedConnection);
     }

@@ -5,14 +5,15 @@
 
 namespace ui::kit {
 
-/// The menu of languages, each in its own name. A chosen language is used at once and stored for the next run.
+/// The menu of languages, each with its own name. A selected language takes effect at once and is stored for the next
+/// run.
 class LanguageMenu final : public QMenu
 {
     Q_OBJECT
 public:
     explicit LanguageMenu(QWidget* parent);
 
-    /// Returns the code of the stored language; empty: none is stored.
+    /// Returns the code of the stored language. Empty if none is stored.
     [[nodiscard]] static QString remembered();
     /// Switches the program to a language and stores it.
     static void choose(const QString& code);

@@ -15,8 +15,8 @@ QByteArray drawing(const QString& name)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// Paints a drawing. It uses currentColor, which the renderer does not know, so the colour is written in before
-/// parsing.
+/// Paints a drawing in a colour. The drawing uses currentColor, which the renderer does not support, so the colour is
+/// inserted into the source before it is parsed.
 void paintDrawing(QPainter& painter, const QRectF& where, QByteArray svg, const QColor& colour)
 {
     svg.replace("currentColor", colour.name(QColor::HexRgb).toLatin1());

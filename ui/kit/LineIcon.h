@@ -13,7 +13,7 @@ namespace ui::kit {
 /// from vectors at every size and screen density. Null if there is no such drawing.
 [[nodiscard]] QIcon lineIcon(const QString& name, const QPalette& palette);
 
-/// Returns the same drawing in one colour, with sides of `sizePx`, for a label.
+/// Returns the same drawing in one colour, as a square of `sizePx`, for a label.
 [[nodiscard]] QPixmap linePixmap(const QString& name, const QColor& colour, int sizePx, double devicePixelRatio);
 
 }  // namespace ui::kit

@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kListRowPx = 34;
 
-/// Headings whose sorting arrow is one of their words, placed before right-aligned ones. Qt's own arrow is at the
-/// right, over their last letters.
+/// A header that shows the sorting arrow as part of the text, to the left of right-aligned text. Qt's own arrow would
+/// cover the last letters.
 class Heads final : public QHeaderView
 {
 public:
@@ -29,7 +29,7 @@ protected:
         QHeaderView::initStyleOptionForIndex(option, logicalIndex);
         if (option->sortIndicator == QStyleOptionHeader::None || option->text.isEmpty())
             return;
-        // Qt calls "down" what is sorted from the least up.
+        // Qt calls ascending order SortDown.
         const QChar arrow = option->sortIndicator == QStyleOptionHeader::SortDown ? QChar(0x2191) : QChar(0x2193);
         option->sortIndicator = QStyleOptionHeader::None;
         option->text = option->textAlignment.testFlag(Qt::AlignRight) ? arrow + QStringLiteral(" ") + option->text
@@ -53,9 +53,9 @@ ListTable::ListTable(QWidget* parent) : QTableView(parent)
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     verticalHeader()->setDefaultSectionSize(kListRowPx);
     horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);  // over the words beneath
+    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);  // above the text of the cells
     verticalHeader()->setHighlightSections(false);
-    // Who sorts wants to see what comes first.
+    // Shows the first rows after sorting.
     connect(horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &QTableView::scrollToTop);
     connect(horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &ListTable::describeSorting);
     text::bindTranslation(this, [this] {
@@ -65,7 +65,7 @@ ListTable::ListTable(QWidget* parent) : QTableView(parent)
     });
 }
 
-/// Sets a model. Its headings may change their language after everything else.
+/// Sets the model. Its headings may be retranslated after everything else.
 void ListTable::setModel(QAbstractItemModel* model)
 {
     QTableView::setModel(model);
@@ -120,7 +120,7 @@ void ListTable::sortBeside(int columns)
     do
         place += columns;
     while (place >= 0 && place < heads->count() && heads->isSectionHidden(heads->logicalIndex(place)));
-    // Beyond the first heading lies none, where a click on a heading can come to that, too.
+    // Moving left from the first heading clears the sorting, if a click on a heading can clear it, too.
     if (place < 0 && heads->isSortIndicatorClearable())
         sortByColumn(-1, Qt::AscendingOrder);
     else if (place < 0 || place >= heads->count())

@@ -5,9 +5,9 @@
 
 namespace ui::kit {
 
-/// A table that sorts by its headings and uses the arrow keys itself, whatever shortcuts they have elsewhere. Alt with
-/// an arrow key sorts: left and right by the neighbouring column, up and down in ascending or descending order. The
-/// accessible description names the sorting. Tab leaves the table.
+/// A table that is sorted by its headings and handles the arrow keys itself, whatever shortcuts they are elsewhere. Alt
+/// with an arrow key sorts: left and right select the neighbouring column, up and down the ascending or descending
+/// order. The accessible description contains the sort order. Tab leaves the table.
 class ListTable final : public QTableView
 {
     Q_OBJECT
@@ -24,7 +24,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    /// @param columns  steps along the visible headings
+    /// @param columns  number of visible headings to move by
     void sortBeside(int columns);
     void describeSorting();
 

@@ -14,7 +14,7 @@ namespace ui::kit {
 struct MaterialLook
 {
     QColor fill;
-    QColor letter;                         ///< of the material's letter on that fill, and of the pattern
+    QColor letter;                         ///< colour of the material's letter on that fill, and of the pattern
     Qt::BrushStyle pattern = Qt::NoBrush;  ///< over the fill
 };
 

@@ -10,8 +10,8 @@
 
 namespace ui::kit {
 
-/// A small disc in the colour of a material with its letter, so that colour is not the only sign. It has no pattern:
-/// there is no room for one under the letter.
+/// A small disc in the colour of a material with its letter, so that colour is not the only sign. It has no pattern,
+/// because there is no room for one behind the letter.
 class MaterialSwatch : public QWidget
 {
     Q_OBJECT

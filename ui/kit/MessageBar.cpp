@@ -38,9 +38,9 @@ MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), m_icon(new QLabel(this)), m_sentence(new QLabel(this)), m_detail(new QLabel(this)),
       m_button(new QPushButton(this)), m_decline(new QPushButton(this)), m_close(new QToolButton(this))
 {
-    for (QLabel* words : {m_sentence, m_detail})  // names of files and lessons, whatever they look like
+    for (QLabel* words : {m_sentence, m_detail})  // file names and lesson titles may look like rich text
         words->setTextFormat(Qt::PlainText);
-    // Dark on every page, as it is one thing wherever it appears.
+    // Dark on every page, so that messages look the same everywhere.
     dress(*this, roomPalette());
     setProperty("kind", "card");
     setAutoFillBackground(true);
@@ -188,7 +188,7 @@ void MessageBar::placeIn(const QRect& area, Place place, const std::optional<QPo
         return;
     layout()->invalidate();
     for (QLayout* inner : layout()->findChildren<QLayout*>())
-        inner->invalidate();  // else the height is that of the words before
+        inner->invalidate();  // otherwise the layout would return the height of the previous text
     const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
     if (place == Place::OverTheView) {
         const QRect atTop(area.center().x() - width / 2, area.top() + kSpace4, width, height);

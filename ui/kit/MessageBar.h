@@ -19,13 +19,13 @@ namespace ui::kit {
 /// choices, the button opens a menu. An offer has a second button that declines it.
 ///
 /// The newest message is shown at once, because it answers the last action. News disappears after kNewsMs. Warnings and
-/// errors stay until they are closed; then the message that they covered is shown again.
+/// errors stay until the user closes them; then the message behind them is shown again.
 class MessageBar : public QFrame
 {
     Q_OBJECT
 public:
     enum class Kind { News, Warning, Error };
-    /// The subject of a message, by which withdraw() removes it when it no longer applies.
+    /// The subject of a message. withdraw() removes all messages of a subject that no longer apply.
     enum class Topic {
         General,
         Tooth,
@@ -54,7 +54,7 @@ public:
         QString actionText;  ///< empty: no button
         std::function<void()> action;
         Topic topic = Topic::General;
-        QString technical = {};               ///< exact, in English; shown as a tooltip
+        QString technical = {};               ///< exact English text; shown as a tooltip
         QList<Choice> choices = {};           ///< the button's menu, instead of `action`
         Choice declining = {};                ///< the second button; hidden if its text is empty
         std::function<Message()> again = {};  ///< returns the message in the current language; empty: it is not
@@ -67,11 +67,11 @@ public:
     explicit MessageBar(QWidget* parent);
 
     void say(const Message& message);
-    /// Shows a message and translates it again when the language changes, also while it waits behind another.
+    /// Shows a message. Retranslates it when the language changes, also while it is behind another message.
     void say(const std::function<Message()>& words);
     /// Closes the current message and shows the next one. Returns false if there was none.
     bool dismiss();
-    /// Removes all messages of a topic, shown or waiting.
+    /// Removes all messages of a topic, also those behind another message.
     void withdraw(Topic topic);
 
     /// Returns the sentence that is shown; empty if the bar is hidden.
@@ -80,7 +80,7 @@ public:
     [[nodiscard]] Topic topic() const { return m_now.topic; }
     /// Returns whether the message stays until the user closes it.
     [[nodiscard]] bool stays() const { return isVisibleTo(parentWidget()) && m_now.kind != Kind::News; }
-    /// Over the middle of the tooth's view, or in the title line of a page.
+    /// Where the bar is: over the middle of the tooth view, or in the title line of a page.
     enum class Place { OverTheView, BesideTheTitle };
     /// Places the bar at the top of `area` (coordinates of the parent), as wide as needed. Over the view, places it at
     /// the bottom if it would cover the bur.

@@ -8,12 +8,12 @@
 
 namespace ui::kit {
 
-/// Radius of the circle around the bur that overlays leave free, pixels.
+/// Radius of the circle around the bur that overlays do not cover, pixels.
 inline constexpr double kOffBurPx = 90.0;
 
-/// Returns the usual place of an overlay if it leaves the circle around the bur free, or else the other place. If both
-/// cover the circle, returns the one that is farther from the bur.
-/// @param bur  empty: there is no bur to keep off
+/// Returns the usual place of an overlay if it does not cover the circle around the bur, otherwise the other place. If
+/// both cover the circle, returns the one farther from the bur.
+/// @param bur  position of the bur; empty: there is none
 [[nodiscard]] QRectF placeOffBur(const std::optional<QPointF>& bur, const QRectF& usual, const QRectF& other);
 
 }  // namespace ui::kit

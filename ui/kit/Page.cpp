@@ -17,7 +17,7 @@
 namespace ui::kit {
 namespace {
 
-/// One line, with an ellipsis if it has no room.
+/// A title of one line, elided if it does not fit.
 class Title final : public QLabel
 {
 public:
@@ -75,7 +75,7 @@ Page::Page(const Actions& actions, QWidget* parent) : QWidget(parent), m_title(n
     column->addLayout(m_body, 1);
 }
 
-/// Makes Enter press the arrow like the buttons beside it. Qt gives a tool button only the space bar.
+/// Makes Enter press the back arrow, as it presses the buttons beside it. Qt gives a tool button only the space bar.
 bool Page::eventFilter(QObject* watched, QEvent* event)
 {
     if (auto* arrow = qobject_cast<QToolButton*>(watched);

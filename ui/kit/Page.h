@@ -18,9 +18,9 @@ public:
     Page(const Actions& actions, QWidget* parent);
     /// Sets the title. The page calls this again when the language changes.
     void setTitle(const QString& title);
-    /// Focuses the search field. Returns false if the page has none or is hidden.
+    /// Sets the focus to the search field. Returns false if the page has none or is hidden.
     [[nodiscard]] virtual bool focusSearch() const;
-    /// Goes back one step within the page. Returns false if there is none: the window then leaves the page.
+    /// Goes back one step within the page. Returns false if there is none; the window then leaves the page.
     [[nodiscard]] virtual bool stepBack() { return false; }
 
 protected:

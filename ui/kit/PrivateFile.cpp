@@ -11,7 +11,8 @@ bool openForOwner(QSaveFile& file)
     const bool isNew = !QFileInfo::exists(file.fileName());
     if (!file.open(QIODevice::WriteOnly))
         return false;
-    // A share or a stick may have no rights to give: what is written there is as safe as whatever else lies there.
+    // Failure is ignored: a network share or a USB stick may not support permissions, and other files there are not
+    // protected either.
     if (isNew)
         file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner);
     return true;

@@ -19,11 +19,11 @@ namespace {
 constexpr int kEdgePx = 36;
 constexpr int kArrowPx = 18;
 
-/// Fades the lower end of the scrolled content.
+/// Fades the lower edge of the scrolled content.
 class LowerEdge : public QWidget
 {
 public:
-    /// @param page  has the ground's colour; the style sheet takes it from the scroll area
+    /// @param page  has the background colour, which the style sheet changes for the scroll area
     LowerEdge(QPalette::ColorRole ground, const QWidget& page, QWidget* parent)
         : QWidget(parent), m_page(page), m_ground(ground)
     {
@@ -52,7 +52,7 @@ private:
     QPalette::ColorRole m_ground;
 };
 
-/// A ring around content that the keyboard scrolls.
+/// A focus ring around content that the keyboard scrolls.
 class Ring : public QWidget
 {
 public:
@@ -72,7 +72,7 @@ protected:
     }
 };
 
-/// Returns whether a widget within can have the focus; then its keys scroll.
+/// Returns whether the content contains a widget that can have the focus. If so, that widget's keys scroll.
 bool hasStop(const QWidget& content)
 {
     const auto all = content.findChildren<QWidget*>();
@@ -101,7 +101,7 @@ ScrollPane::ScrollPane(QWidget* content, QPalette::ColorRole ground, QWidget* pa
     content->setAutoFillBackground(false);
     connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, &ScrollPane::placeEdge);
     connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &ScrollPane::placeEdge);
-    // What a click gives the keyboard to is under the pointer, and must stay there until the button is let go.
+    // A widget that gets the focus by a click must stay under the pointer until the button is released.
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         if (now != nullptr && widget()->isAncestorOf(now) && QGuiApplication::mouseButtons() == Qt::NoButton)
             reveal(*now);
@@ -112,8 +112,8 @@ ScrollPane::ScrollPane(QWidget* content, QPalette::ColorRole ground, QWidget* pa
     });
 }
 
-/// Scrolls to a widget with some room around it, clear of the edge that fades. If it is higher than the pane, its upper
-/// end is shown.
+/// Scrolls to a widget with a margin around it, clear of the fading edge. If the widget is higher than the pane, shows
+/// its upper end.
 void ScrollPane::reveal(const QWidget& what)
 {
     QScrollBar* const bar = verticalScrollBar();
@@ -125,7 +125,7 @@ void ScrollPane::reveal(const QWidget& what)
 
 bool ScrollPane::hasMoreBelow() const
 {
-    // The last margin is nothing to look for.
+    // Ignores the last margin, which is empty.
     return verticalScrollBar()->maximum() - verticalScrollBar()->value() > kSpace2;
 }
 
@@ -137,7 +137,8 @@ void ScrollPane::resizeEvent(QResizeEvent* event)
 
 bool ScrollPane::event(QEvent* event)
 {
-    // Some of these are keys of a replay. Up and down go from button to button while one within has the keyboard.
+    // Some of these keys are also shortcuts of a replay. Up and Down move from button to button while one inside has
+    // the focus.
     if (event->type() == QEvent::ShortcutOverride && verticalScrollBar()->maximum() > 0) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool isArrow = key->key() == Qt::Key_Up || key->key() == Qt::Key_Down;
@@ -149,7 +150,7 @@ bool ScrollPane::event(QEvent* event)
     return QScrollArea::event(event);
 }
 
-/// Handles the keys that no widget within uses.
+/// Handles the keys that no widget inside uses.
 void ScrollPane::keyPressEvent(QKeyEvent* event)
 {
     if (isScrollKey(*event) && (event->key() == Qt::Key_Home || event->key() == Qt::Key_End))

@@ -65,8 +65,8 @@ QPalette paletteOf(const Colours& c)
     return p;
 }
 
-/// Returns the style sheet with every palette(role) replaced by that palette's colour; palette(faint) is for words of
-/// less weight.
+/// Returns the style sheet with every palette(role) replaced by that palette's colour. palette(faint) is for less
+/// important text.
 QString sheetFor(const QPalette& palette)
 {
     const QList<std::pair<QString, QColor>> roles{
@@ -117,7 +117,7 @@ void rememberTheme(ThemeChoice choice)
 void applyTheme(QApplication& application, ThemeChoice choice)
 {
     const bool dark = choice == ThemeChoice::System ? isDark(QGuiApplication::palette()) : choice == ThemeChoice::Dark;
-    // Without it a style sheet cuts every child off from its room's palette.
+    // Without this attribute, widgets with a style sheet do not inherit the palette of their page.
     QCoreApplication::setAttribute(Qt::AA_UseStyleSheetPropagationInWidgetStyles);
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     const QPalette palette = pagePalette(dark);
@@ -125,7 +125,7 @@ void applyTheme(QApplication& application, ThemeChoice choice)
     QToolTip::setPalette(palette);
     QFont family = QApplication::font();
     if (QFontDatabase::families().contains(QStringLiteral("Inter")))
-        // VL PGothic before VL Gothic: Qt makes no fixed font bold.
+        // VL PGothic comes before VL Gothic, because Qt cannot make a fixed-pitch font bold.
         family.setFamilies({QStringLiteral("Inter"), QStringLiteral("VL PGothic")});
     family.setPixelSize(kBody);
     QApplication::setFont(family);
@@ -150,8 +150,8 @@ void dress(QWidget& widget, const QPalette& palette)
 
 bool isDark(const QPalette& palette)
 {
-    // The ground of what lies on a page is none of its own: a style sheet makes it a transparent black, or leaves it as
-    // that of another page.
+    // Uses the text colour. The background of a child may be wrong: a style sheet makes it transparent black, or leaves
+    // the background of another page.
     return palette.color(QPalette::WindowText).lightnessF() > 0.5F;
 }
 
@@ -166,7 +166,7 @@ QFont typeface(int pixelSize, QFont::Weight weight)
 {
     QFont f = QApplication::font();
     f.setPixelSize(pixelSize);
-    // The Japanese font has one weight; what Qt makes of it is bold or it is not.
+    // The Japanese font has one weight, so Qt can only make it bold or leave it regular.
     f.setWeight(weight >= QFont::DemiBold && QLocale().language() == QLocale::Japanese ? QFont::Bold : weight);
     return f;
 }

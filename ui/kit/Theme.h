@@ -23,7 +23,7 @@ inline constexpr int kSpace1 = 4;
 inline constexpr int kSpace2 = 8;
 inline constexpr int kSpace4 = 16;
 inline constexpr int kSpace6 = 24;
-inline constexpr int kBelowMessagePx = 88;  ///< from the top of the view; below the place of a message
+inline constexpr int kBelowMessagePx = 88;  ///< distance from the top of the view to just below a message
 inline constexpr int kRadius = 6;
 
 /// Font sizes, px. kHero is for one number on a page.
@@ -55,8 +55,8 @@ void applyTheme(QApplication& application, ThemeChoice choice);
 /// Returns the palette of the practice room: dark neutral grey in both themes.
 [[nodiscard]] QPalette roomPalette();
 
-/// Gives a widget and its future children another palette than the application's. Each room needs its own copy of the
-/// style sheet, because a style sheet uses the application's palette. Call before children are created.
+/// Gives a widget and its future children another palette than the application's. The widget needs its own copy of the
+/// style sheet, because the application's uses the application's palette. Call before children are created.
 void dress(QWidget& widget, const QPalette& palette);
 
 [[nodiscard]] bool isDark(const QPalette& palette);

@@ -11,7 +11,7 @@
 
 namespace ui::kit {
 
-/// The unsaved changes on the pages of a window, for one question wherever they would be lost.
+/// Collects the unsaved changes on the pages of a window, for one question wherever they would be lost.
 class UnsavedChanges
 {
     Q_DECLARE_TR_FUNCTIONS(UnsavedChanges)
@@ -24,17 +24,17 @@ public:
         m_pages.push_back({[&page] { return page.unsavedChanges(); }, [&page] { page.discardChanges(); }});
     }
 
-    /// The sentences of all pages that have unsaved changes. Empty: there are none.
+    /// Returns the descriptions of all unsaved changes. Empty if there are none.
     [[nodiscard]] QString what() const;
-    /// Resets the pages.
+    /// Discards the changes of all pages.
     void discard() const;
 
-    /// Asks whether to discard changes.
+    /// Returns the question whether to discard changes.
     /// @param what  describes them; may be empty
-    /// @param owner  the name of the user who made them, if somebody else may answer; empty: they are the user's own
+    /// @param owner  the name of the user who made them, if another user may answer; empty: they are the user's own
     [[nodiscard]] static ConfirmOverlay::Question question(const QString& what, const QString& owner,
                                                            std::function<void()> discard);
-    /// The same in a window, about something that the user is about to leave on one page.
+    /// Asks the question in a window, about changes that the user is about to leave on one page.
     static void ask(QWidget* window, const QString& what, std::function<void()> discard);
 
 private:

@@ -5,7 +5,7 @@
 
 namespace ui::kit {
 
-/// Keeps the rows in which one column contains the searched words.
+/// Filters a table for rows in which one column contains the text of the search.
 class WordFilter final : public QSortFilterProxyModel
 {
     Q_OBJECT

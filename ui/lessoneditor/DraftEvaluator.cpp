@@ -35,7 +35,7 @@ void DraftEvaluator::start(const Wish& wish)
 {
     m_isAtWork = true;
     m_isAnswerWanted = true;
-    // The destructor waits for the pool, and takes with it what was still to come here.
+    // The destructor waits for the pool, so `this` is valid. It also removes queued calls.
     m_pool.start([this, wish, before = m_before] {
         const auto found = lessoneditor::weigh(wish.draft, wish.file, before);
         QMetaObject::invokeMethod(

@@ -13,7 +13,7 @@ namespace ui::lessoneditor {
 
 struct EvaluatedDraft;
 
-/// Evaluates drafts of lessons on its own thread, one at a time. Of several waiting drafts only the newest is
+/// Evaluates drafts of lessons on its own thread, one at a time. If several drafts are waiting, only the newest is
 /// evaluated. Ui thread.
 class DraftEvaluator final : public QObject
 {
@@ -31,7 +31,7 @@ public:
 
 signals:
     /// Emitted when a draft has been evaluated.
-    /// @param isNewest  no later request is waiting
+    /// @param isNewest  no newer request is waiting
     void weighed(const std::shared_ptr<const EvaluatedDraft>& found, bool isNewest);
 
 private:
@@ -46,7 +46,7 @@ private:
 
     std::optional<Wish> m_next;
     bool m_isAtWork = false;
-    bool m_isAnswerWanted = false;                   ///< for the running job
+    bool m_isAnswerWanted = false;                   ///< the result of the running job has not been cancelled
     std::shared_ptr<const EvaluatedDraft> m_before;  ///< the newest result with an assignment; its tooth is reused if
                                                      ///< possible
     QThreadPool m_pool;                              ///< last: its destructor waits for a job that uses the members

@@ -25,23 +25,23 @@ public:
 
     /// Prepares the form for a lesson of this task. offerFields() adds the inputs.
     void begin(::lessons::Task task);
-    /// Forgets the names of the inputs when the language changes; they must be offered again.
+    /// Discards the inputs' labels when the language changes. The inputs must be offered again.
     void forgetWords();
-    /// Sets the possible sources of the ideal: the rule, or one of these captured ideals.
+    /// Sets the sources to choose from: the rule, and these captured ideals.
     /// @param present  the source in use; empty: by rule
     void offerReferences(const QStringList& captured, const QString& present);
     /// Sets the inputs. Creates them again only if the fields have changed.
     void offerFields(const std::vector<IdealField>& fields);
     void showValues(const std::vector<IdealField>& fields);
-    /// Shows the errors of the ideal beside their inputs. Returns the other errors.
+    /// Shows the errors of the ideal beside their inputs. Returns all other errors.
     [[nodiscard]] std::vector<::lessons::ValidationIssue>
     takeFaults(const std::vector<::lessons::ValidationIssue>& faults);
-    /// Disables the choice of recordings while recordings are replayed.
+    /// Disables the selection of recordings while recordings are being replayed.
     void setCapturing(bool capturing);
 
 signals:
     void sizeSet(const QString& id, double value);
-    /// @param name  of a file beside the lesson; empty: by rule
+    /// @param name  a file in the lesson's folder; empty: by rule
     void referenceChosen(const QString& name);
     void recordingsRequested();
 

@@ -37,7 +37,7 @@ std::vector<IdealField> fieldsFrom(std::span<const core::NumberField<Design>> fi
     return made;
 }
 
-/// Returns the kind of an ideal that is made by rule.
+/// Returns the kind of an ideal that is computed by rule, or nothing for another ideal.
 std::optional<core::preparation::Kind> ruleOf(const Lesson& lesson)
 {
     if (lesson.task != ::lessons::Task::CutIdeal || !lesson.ideal || lesson.ideal->captured)
@@ -46,7 +46,7 @@ std::optional<core::preparation::Kind> ruleOf(const Lesson& lesson)
     return kind ? std::optional(*kind) : std::nullopt;
 }
 
-/// Returns the design with the sizes that the lesson sets.
+/// Returns the usual design with the sizes that the lesson sets.
 core::preparation::ToothDesign designOf(const Lesson& lesson, core::preparation::Kind kind,
                                         core::preparation::ToothDesign usual)
 {
@@ -70,7 +70,7 @@ std::vector<IdealField> fieldsOf(const Lesson& lesson, const std::optional<core:
     return fieldsFrom<core::preparation::ToothDesign>(fields, designOf(lesson, *kind, *usual));
 }
 
-/// The parts made for the draft before, if they are still valid.
+/// Parts of the previous draft's evaluation that are still valid.
 struct Kept
 {
     std::shared_ptr<const core::terrain::ToothAnatomy> anatomy;
@@ -89,7 +89,8 @@ Kept keptOf(const EvaluatedDraft* before, const Lesson& lesson)
             old.ideal == lesson.ideal && old.task == lesson.task};
 }
 
-/// Reads a draft without a valid rubric, using the rubric of the draft before or else of the base lesson.
+/// Reads a draft that has no valid rubric. Uses the rubric of the previous draft instead, otherwise that of the base
+/// lesson.
 std::optional<Lesson> withAnotherRubric(QJsonObject draft, const QString& file, const EvaluatedDraft* before)
 {
     const QString key = QStringLiteral("rubric");
@@ -103,7 +104,7 @@ std::optional<Lesson> withAnotherRubric(QJsonObject draft, const QString& file, 
     return read.lesson ? std::optional(*read.lesson) : std::nullopt;
 }
 
-/// Returns the usual sizes of a preparation on this tooth.
+/// Returns the usual sizes of the lesson's preparation on its tooth.
 std::optional<core::preparation::ToothDesign> usualOf(const Lesson& lesson)
 {
     const auto kind = ruleOf(lesson);
@@ -116,7 +117,7 @@ std::optional<core::preparation::ToothDesign> usualOf(const Lesson& lesson)
     return usual ? std::optional(*usual) : std::nullopt;
 }
 
-/// Like lessons::assign(), but reuses valid parts.
+/// Assigns the lesson as lessons::assign() does, but reuses valid parts of the previous draft.
 core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, const EvaluatedDraft* before)
 {
     if (!kept.anatomy) {
@@ -143,7 +144,7 @@ core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, c
     return assignment;
 }
 
-/// Returns the fault that prevents the lesson, at the field that its sentence names, if there is one.
+/// Returns an issue for an error that prevents the lesson. It refers to the field that the error's text names, if any.
 ::lessons::ValidationIssue faultOf(const core::Error& error, const QString& file, const Lesson& lesson)
 {
     const QString what = QString::fromStdString(error.detail);
@@ -154,7 +155,7 @@ core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, c
     return {file, key, core::wordsOf(error), true};
 }
 
-/// Returns a name with one limit in mm replaced by another.
+/// Returns a criterion's name with one limit in mm replaced by another.
 QString withLimit(const QString& name, const QString& language, double before, double now)
 {
     const QLocale locale(language);
@@ -166,7 +167,7 @@ QString withLimit(const QString& name, const QString& language, double before, d
     return QString(name).replace(limit, shown(now));
 }
 
-/// Returns the value from which there is an error.
+/// Returns the value beyond which a criterion counts as an error.
 double limitOf(const QJsonObject& criterion)
 {
     const double target = criterion.value(QStringLiteral("target")).toDouble();
@@ -175,7 +176,7 @@ double limitOf(const QJsonObject& criterion)
                                                                                         : target + tolerance;
 }
 
-/// Does the same for a name in one language or several.
+/// Replaces the limit in a name that is given in one language or several.
 QJsonValue withLimit(const QJsonValue& names, double before, double now)
 {
     if (names.isString())
@@ -202,7 +203,7 @@ std::shared_ptr<const EvaluatedDraft> weigh(const QJsonObject& draft, const QStr
         auto assignment = assignmentFor(*lesson, kept, before.get());
         if (!assignment) {
             weighed->read.faults.push_back(faultOf(assignment.error(), file, *lesson));
-            // The fields stay, or there would be no way back.
+            // Fields stay visible, so that the user can correct their values.
             weighed->fields = fieldsOf(*lesson, weighed->usual);
         } else {
             const core::terrain::ToothAnatomy& anatomy = *assignment->anatomy;
@@ -233,7 +234,7 @@ std::shared_ptr<const EvaluatedDraft> weigh(const QJsonObject& draft, const QStr
             weighed->assignment = std::move(*assignment);
         }
     } else if (const auto sound = withAnotherRubric(draft, file, before.get())) {
-        // A rubric that is none must not hide the numbers of the ideal.
+        // An invalid rubric must not hide the fields of the ideal.
         const auto usual = keptOf(before.get(), *sound).usual;
         weighed->fields = fieldsOf(*sound, usual ? usual : usualOf(*sound));
     }
@@ -249,7 +250,7 @@ void LessonDraft::begin(const ::lessons::ReadLesson& lesson, const QString& teac
     m_isStamped = false;
     m_file = lesson.file;
     if (isShipped) {
-        // A name that nothing has yet.
+        // Finds an id whose file does not exist yet.
         const QString id = object.value(QStringLiteral("id")).toString();
         QString own = id;
         const auto path = [&] { return QDir(teachersFolder).filePath(own + QStringLiteral(".lesson.json")); };
@@ -305,7 +306,7 @@ bool LessonDraft::isOvertaken() const
 {
     ::lessons::ReadLesson now;
     now.file = m_file;
-    // As they are written: 5 from a file and 5.0 from an input are one number.
+    // Compares the written form: 5 from a file and 5.0 from an input are the same number.
     return m_exists && QFileInfo::exists(m_file) &&
            QJsonDocument(::lessons::ownVersion(now)).toJson() != QJsonDocument(m_saved).toJson();
 }
@@ -380,7 +381,8 @@ void LessonDraft::setTitle(const QString& title, const QString& language)
         QJsonObject texts = titles();
         const QString typedIn = texts.contains(language) ? language : QStringLiteral("en");
         m_typedTitles.insert(typedIn);
-        // Nobody has typed those that were made up for a lesson of one's own, or taken over: they say what this says.
+        // Titles in other languages that the user has not typed are replaced by this one. They were generated for a new
+        // lesson, or copied from the base lesson.
         for (const QString& other : texts.keys())
             if (!m_typedTitles.contains(other) &&
                 (m_areTitlesMadeUp || m_firstTitles.value(other) == m_firstTitles.value(typedIn)))
@@ -409,7 +411,7 @@ void LessonDraft::setCaptured(const QString& name, const std::optional<core::pre
     const QString key = QStringLiteral("ideal");
     const bool isBased = next.contains(QStringLiteral("based_on"));
     if (name.isEmpty()) {
-        // As it was: what the lesson is based on, or what it said when it was opened.
+        // Restores the ideal of the base lesson, or the one that the lesson had when it was opened.
         const QJsonObject before = m_states.front().value(key).toObject();
         const bool wasCaptured = before.contains(QStringLiteral("captured"));
         if (isBased && (wasCaptured || before.isEmpty()))
@@ -456,7 +458,7 @@ void LessonDraft::setCriterion(int index, const char* key, double value)
     QJsonObject criterion = criteria[index].toObject();
     const double before = limitOf(criterion);
     criterion.insert(QLatin1String(key), value);
-    // A serious error is often called by its limit: "Floor more than 1 mm too deep".
+    // The title of a serious error often contains its limit: "Floor more than 1 mm too deep".
     const bool isSerious =
         criterion.value(QStringLiteral("critical")).toBool() || criterion.contains(QStringLiteral("caps_at"));
     if (isSerious && criterion.contains(QStringLiteral("title")))

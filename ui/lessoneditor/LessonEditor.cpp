@@ -47,7 +47,7 @@ using namespace ui::kit;
 
 constexpr int kFormWidthPx = 430;
 constexpr int kNarrowFormPx = 360;
-constexpr int kKeepMs = 5000;  ///< a crash loses the changes of so long
+constexpr int kKeepMs = 5000;  ///< interval of saving drafts; a crash loses the changes since then
 constexpr qint64 kLargestRecovery = qint64{16} << 20;
 constexpr const char* kRecordings = "*.cusprec";
 constexpr const char* kIdeals = "*.cuspideal";
@@ -57,7 +57,7 @@ std::filesystem::path toPath(const QString& file)
     return {file.toStdU16String()};
 }
 
-/// Returns the words of a fault. A field that is empty has no place in the file to go to.
+/// Returns the text of a validation issue. An empty title has no position in the file, so it has a text of its own.
 QString wordsOf(const ::lessons::ValidationIssue& fault, const LessonDraft& draft)
 {
     return fault.key == QStringLiteral("title") && draft.title().isEmpty()
@@ -65,8 +65,8 @@ QString wordsOf(const ::lessons::ValidationIssue& fault, const LessonDraft& draf
                : text::faultWords(fault);
 }
 
-/// Writes a draft to its file. Returns an empty text, or else a sentence with the reason of the failure.
-/// @param weighed  its evaluation
+/// Writes a draft to its file. Returns an empty string, or the error message.
+/// @param weighed  evaluation of the draft
 QString write(LessonDraft& draft, const EvaluatedDraft& weighed)
 {
     if (draft.isOvertaken())
@@ -85,7 +85,7 @@ QString write(LessonDraft& draft, const EvaluatedDraft& weighed)
         return LessonEditor::tr("Not saved: there is a file %1 already. Open that lesson instead.")
             .arg(QFileInfo(file).fileName());
     QDir().mkpath(QFileInfo(file).absolutePath());
-    // What could not be written is not saved.
+    // Marks the draft as saved only after its file has been written.
     LessonDraft written = draft;
     const QByteArray json = written.stamped();
     if (const core::Status done =
@@ -117,7 +117,7 @@ LessonEditor::LessonEditor(const Actions& actions, QWidget* parent)
     text::bindTranslation(this, [this] { retranslateUi(); });
 }
 
-/// Makes the inputs anew and evaluates the draft again, because its words are in the previous language.
+/// Recreates the inputs and evaluates the draft again, because both contain text in the previous language.
 void LessonEditor::retranslateUi()
 {
     if (m_present.isEmpty()) {
@@ -312,7 +312,8 @@ QWidget* LessonEditor::makeFoot(const Actions& actions)
 
 void LessonEditor::edit(const ::lessons::ReadLesson& lesson, const QString& folder)
 {
-    // A shipped lesson's own version has a file once it is saved; changed since, it is the same draft still.
+    // A teacher's version of a shipped lesson has a file once it is saved. If it has unsaved changes since, the same
+    // draft is shown.
     QString present = lesson.file;
     for (const auto& [from, opened] : m_opened)
         if (opened.draft.file() == lesson.file && opened.draft.isChanged())
@@ -324,7 +325,7 @@ void LessonEditor::edit(const ::lessons::ReadLesson& lesson, const QString& fold
     turnTo(present);
 }
 
-/// Turns to another draft. If it fails, only its fault is shown, and no part of the lesson before.
+/// Shows another draft. If it is invalid, shows its errors and nothing of the previous lesson.
 void LessonEditor::turnTo(const QString& present)
 {
     m_present = present;
@@ -400,10 +401,10 @@ void LessonEditor::take(const std::shared_ptr<const EvaluatedDraft>& weighed, bo
         m_good = weighed;
         m_view->show(weighed);
     } else if (!m_good) {
-        m_view->show(weighed);  // which says that something is wrong
+        m_view->show(weighed);  // shows that the lesson is invalid
     }
     if (!isNewest)
-        return;  // what is in the inputs is newer
+        return;  // the inputs contain newer values
     if (weighed->assignment || !weighed->fields.empty())
         m_ideal->offerFields(weighed->fields);
     if (weighed->assignment) {
@@ -420,7 +421,7 @@ void LessonEditor::take(const std::shared_ptr<const EvaluatedDraft>& weighed, bo
         save();
 }
 
-/// Offers the ideals: by rule, or each captured one beside the lesson.
+/// Offers the ideals: the one computed by rule, and the captured ones in the lesson's folder.
 void LessonEditor::offerReferences()
 {
     const QString folder = QFileInfo(draft().file()).absolutePath();
@@ -436,7 +437,7 @@ void LessonEditor::showMeaning()
                                          : tr("Costs nothing: %1.").arg(meaning));
 }
 
-/// Shows each fault beside its field, and others at the top.
+/// Shows each error beside its field, and all others at the top.
 void LessonEditor::showFaults()
 {
     QStringList general;
@@ -445,7 +446,7 @@ void LessonEditor::showFaults()
     kit::showFault(m_generalFault, general.join(u' '));
 }
 
-/// Shows whether the ideal loses points: graded like a student's work, it must lose none.
+/// Shows whether the ideal loses points. Graded like a student's attempt, it must lose none.
 void LessonEditor::showCheck()
 {
     const auto& itself = m_now->itself;
@@ -476,8 +477,8 @@ void LessonEditor::showCheck()
     m_fit->setVisible(itself && !isFull);
 }
 
-/// Sets the tolerances to what the ideal itself needs, rounded up to the step of the input. An unmeasured value is
-/// left.
+/// Sets each tolerance to what the ideal itself needs, rounded up to the step of the input. A criterion that could not
+/// be measured is left unchanged.
 void LessonEditor::fitTolerances()
 {
     if (!m_now || !m_now->itself)
@@ -542,7 +543,7 @@ void LessonEditor::captureFrom(const QStringList& recordings)
     say([count = static_cast<int>(recordings.size())] { return tr("Replaying %n recording(s) …", nullptr, count); },
         false);
     m_ideal->setCapturing(true);
-    // The destructor waits for the pool, and takes with it what was still to come here.
+    // The destructor waits for the pool, so `this` is valid. It also removes queued calls.
     m_capturing.start([this, paths, tolerances, name, of = m_present, file = lesson.dir().filePath(name)] {
         const auto ideal = ::lessons::captureFrom(paths, tolerances);
         const core::Status written = ideal ? core::preparation::writeCaptured(toPath(file), *ideal)
@@ -580,7 +581,7 @@ void LessonEditor::save()
 {
     m_isSaveWanted = !m_now || m_weigher->isBusy();
     if (m_isSaveWanted)
-        return;  // as soon as it is checked
+        return;  // saves when the draft has been evaluated
     if (const QString whyNot = write(draft(), *m_now); !whyNot.isEmpty()) {
         refuseToSave(whyNot);
         return;
@@ -597,7 +598,7 @@ void LessonEditor::refuseToSave(const QString& whyNot)
     m_anew->setVisible(draft().isOvertaken());
 }
 
-/// Opens the lesson anew. Changes made here are not lost: undo brings them back.
+/// Opens the lesson's file again. Undo restores the changes made here.
 void LessonEditor::openAnew()
 {
     const ::lessons::ReadLesson read = ::lessons::readLesson(draft().file());
@@ -683,7 +684,7 @@ void LessonEditor::recover(const QString& folder, const QString& file)
     m_keeping.start(kKeepMs);
 }
 
-/// Writes the recovery file, if it must change; without unsaved drafts there is none.
+/// Updates the recovery file. Removes it if there are no unsaved drafts.
 void LessonEditor::keepDrafts()
 {
     QJsonArray all;

@@ -29,12 +29,12 @@ class RubricForm;
 class SweepPage;
 class ToleranceView;
 
-/// The page where teachers edit a lesson: the sizes of its ideal, or attempts from which it is taken; the tolerances
-/// and weights of the rubric; and the effect of these on the tooth and on past attempts. Editing a shipped lesson
-/// creates a new lesson of the teacher's.
+/// The page where teachers edit a lesson: the sizes of its ideal, or the attempts from which it is captured; the
+/// tolerances and weights of the rubric; and the effect of these on the tooth and on past attempts. Editing a shipped
+/// lesson creates a new lesson that belongs to the teacher.
 ///
 /// Slow work runs on other threads, and only the newest request is answered. Drafts stay open while the user is logged
-/// in, and survive a crash of the program: see recover().
+/// in, and survive a crash of the program; see recover().
 class LessonEditor final : public kit::Page
 {
     Q_OBJECT
@@ -49,24 +49,24 @@ public:
     [[nodiscard]] bool canRedo() const;
     void undo();
     void redo();
-    /// Writes the lesson, or shows beside the button why that failed.
+    /// Writes the lesson. If that fails, shows the reason beside the button.
     void save();
 
-    /// Returns a sentence with the number of unsaved lessons; empty: there are none.
+    /// Returns a sentence with the number of unsaved lessons. Empty if there are none.
     [[nodiscard]] QString unsavedChanges() const;
     void discardChanges();
-    /// Returns the files that the unsaved drafts began from.
+    /// Returns the files from which the unsaved drafts were created.
     [[nodiscard]] QSet<QString> unsavedFiles() const;
 
-    /// Closes all drafts. The unsaved ones stay in the recovery file, from which recover() brings them back.
+    /// Closes all drafts. Unsaved drafts stay in the recovery file, from which recover() restores them.
     void closeDrafts();
-    /// Restores the unsaved drafts in a recovery file, and writes unsaved drafts there from now on. Does nothing if
+    /// Restores the unsaved drafts from a recovery file, and from then on writes unsaved drafts to it. Does nothing if
     /// another window uses the file.
     /// @param folder  the teacher's folder
     /// @param file  the user's recovery file
     void recover(const QString& folder, const QString& file);
 
-    /// Sets the measures of past attempts at the opened lesson. They count in the sweep until its ideal is changed.
+    /// Sets the measures of past attempts at the opened lesson. The sweep uses them until the ideal is changed.
     void setKnown(std::vector<MeasuredAttempt> attempts);
     /// Replays the recordings of a folder for the sweep.
     void readFolder(const QString& folder);
@@ -81,7 +81,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    /// A draft and the lesson that it began from.
+    /// A draft and the lesson from which it was created.
     struct Opened
     {
         LessonDraft draft;
@@ -108,16 +108,16 @@ private:
     void refuseToSave(const QString& whyNot);
     void askForRecordings();
     void captureFrom(const QStringList& recordings);
-    /// @param words  called again when the language changes
+    /// @param words  returns the message in the current language
     void say(std::function<QString()> words, bool isWrong);
     void retranslateUi();
 
-    std::map<QString, Opened> m_opened;  ///< by the file of the lesson they began from
+    std::map<QString, Opened> m_opened;  ///< by the file of the lesson from which the draft was created
     QString m_present;
     std::shared_ptr<const EvaluatedDraft> m_now;   ///< the newest result for the current draft
     std::shared_ptr<const EvaluatedDraft> m_good;  ///< the newest result with an assignment
     QString m_recoveryFile;
-    std::optional<core::FileLock> m_recoveryLock;  ///< from recover() on, if no other window holds it
+    std::optional<core::FileLock> m_recoveryLock;  ///< from recover() on, unless another window holds it
     QJsonArray m_kept;                             ///< the contents of the recovery file
     QTimer m_keeping;
     DraftEvaluator* m_weigher;
@@ -137,7 +137,7 @@ private:
     QLabel* m_check = nullptr;
     QLabel* m_said = nullptr;
     QPushButton* m_fit = nullptr;
-    QPushButton* m_anew = nullptr;  ///< visible while the file has changed outside
+    QPushButton* m_anew = nullptr;  ///< visible while the file has been changed by another window or program
     QThreadPool m_capturing;        ///< last: its destructor waits for a job that uses the members above
 };
 

@@ -99,7 +99,7 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
 {
     if (offers(criteria)) {
         for (std::size_t k = 0; k < criteria.size(); ++k)
-            m_criteria[k].call(text::titleOf(criteria[k]));  // which may tell its limit
+            m_criteria[k].call(text::titleOf(criteria[k]));  // the title may contain the criterion's limit
         return;
     }
     delete m_inputs;
@@ -158,7 +158,7 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
     showMore();
 }
 
-/// Sets the visible title, and the one for screen readers.
+/// Sets the visible title, and the names of the inputs for screen readers.
 void RubricForm::Criterion::call(const QString& title) const
 {
     name->setText(title);
@@ -179,7 +179,7 @@ void RubricForm::connectInput(QDoubleSpinBox* input, int index, const char* key)
     });
 }
 
-/// Makes the inputs for the target of a measure and the span over which the points fall.
+/// Makes the inputs for the target of a measure and for the range over which points decrease.
 QWidget* RubricForm::makeMore(const ::lessons::CriterionRule& rule, Criterion& inputs)
 {
     auto* more = new QWidget(m_inputs);
@@ -234,7 +234,7 @@ std::vector<::lessons::ValidationIssue> RubricForm::takeFaults(const std::vector
     for (const Criterion& inputs : m_criteria)
         said[inputs.fault] = {};
     for (const ::lessons::ValidationIssue& fault : faults) {
-        // The sum says it, beside the weights.
+        // The sum beside the weights shows this error.
         if (fault.key == u"rubric" && fault.english().contains(u"weight"))
             continue;
         QLabel* place = nullptr;
@@ -253,7 +253,7 @@ std::vector<::lessons::ValidationIssue> RubricForm::takeFaults(const std::vector
     return others;
 }
 
-/// Adds the weights of the inputs up: a rubric whose sum is wrong is invalid.
+/// Shows the sum of the weights. A rubric with a wrong sum is invalid.
 void RubricForm::sumUp()
 {
     double sum = 0.0;

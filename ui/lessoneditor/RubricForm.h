@@ -25,11 +25,11 @@ public:
 
     /// Sets the inputs. Creates them again only if the criteria have changed.
     void offerCriteria(const std::vector<::lessons::CriterionRule>& criteria);
-    /// Forgets the names of the inputs when the language changes; they must be offered again.
+    /// Discards the inputs' labels when the language changes. The inputs must be offered again.
     void forgetWords();
     /// @param rubric  the JSON object; it may be invalid
     void showValues(const QJsonObject& rubric);
-    /// Shows the errors of the rubric beside their inputs. Returns the other errors.
+    /// Shows the errors of the rubric beside their inputs. Returns all other errors.
     [[nodiscard]] std::vector<::lessons::ValidationIssue>
     takeFaults(const std::vector<::lessons::ValidationIssue>& faults);
 

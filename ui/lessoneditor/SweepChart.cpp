@@ -16,11 +16,11 @@
 namespace ui::lessoneditor {
 namespace {
 
-/// More lines than these nobody tells apart.
+/// More lines than these could not be told apart.
 constexpr std::size_t kMostLines = 30;
 constexpr double kFullPoints = 100.0;
-constexpr double kStepTimes = kMostTimes / (kSweepSteps - 1);  ///< of the arrow keys
-constexpr double kReachPx = 6.0;                               ///< from the pointer to the line of an attempt
+constexpr double kStepTimes = kMostTimes / (kSweepSteps - 1);  ///< factor of one press of an arrow key
+constexpr double kReachPx = 6.0;                               ///< distance from the pointer to an attempt's line
 
 int quantile(const Sweep& sweep, std::size_t step, double share)
 {

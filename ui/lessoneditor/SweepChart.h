@@ -11,9 +11,9 @@ class SaveButton;
 
 namespace ui::lessoneditor {
 
-/// A chart of past scores against the tolerance, 0 to 3 times that of the rubric: a line for each attempt, or the
-/// median and quartiles if there are many; dashed, the percentage that passes. Shows the figures at the pointer or at
-/// the position of the arrow keys, and can be saved.
+/// A chart of past scores against the tolerance, from 0 to 3 times that of the rubric: a line for each attempt, or the
+/// median and quartiles if there are many. A dashed line shows the percentage that passes. The chart shows the figures
+/// at the pointer or at the position of the arrow keys, and can be exported.
 class SweepChart : public charts::WalkedChart
 {
     Q_OBJECT
@@ -22,7 +22,7 @@ public:
     void setSweep(const Sweep& sweep);
     /// Returns the figures at a tolerance in words: "At 1.5 times the tolerance 7 of 12 pass; median 78.4".
     [[nodiscard]] QString words(double times) const;
-    /// Returns the chart as it is saved, in the colours of a light page.
+    /// Returns the chart for export, in the colours of a light page.
     [[nodiscard]] charts::Chart chart() const;
     [[nodiscard]] QSize minimumSizeHint() const override { return {280, 180}; }
 
@@ -30,7 +30,7 @@ signals:
     /// Emitted when the user points at another tolerance.
     /// @param words  empty: the pointer has left
     void pointedAt(const QString& words);
-    /// Emitted when the chart was saved, or could not be.
+    /// Emitted when the chart was exported, or the export has failed.
     void saved(const QString& sentence);
 
 protected:
@@ -44,7 +44,7 @@ private:
 
     charts::SaveButton* m_save = nullptr;
     Sweep m_sweep;
-    double m_toldTimes = 1.0;  ///< at the position of the keys
+    double m_toldTimes = 1.0;  ///< position of the arrow keys
 };
 
 }  // namespace ui::lessoneditor

@@ -151,7 +151,7 @@ void SweepPage::begin(const std::optional<::lessons::Lesson>& opened)
 void SweepPage::setKnown(std::vector<MeasuredAttempt> attempts)
 {
     m_known = std::move(attempts);
-    // Under no tolerance would they score anything.
+    // Attempts without measured values would have no score under any tolerance.
     const auto measured = std::remove_if(m_known.begin(), m_known.end(),
                                          [](const MeasuredAttempt& attempt) { return attempt.values.empty(); });
     m_unmeasured = static_cast<int>(m_known.end() - measured);
@@ -191,7 +191,7 @@ void SweepPage::readFolder(const QString& folder)
     m_progress->show();
     m_stop->setEnabled(true);
     m_stop->show();
-    // The destructor waits for the pool, and takes with it what was still to come here.
+    // The destructor waits for the pool, so `this` is valid. It also removes queued calls.
     const auto later = [this, reading](auto what) {
         QMetaObject::invokeMethod(
             this,
@@ -224,7 +224,7 @@ void SweepPage::takeAttempts(const std::shared_ptr<const PastAttempts>& past)
     measureLater();
 }
 
-/// Measures the attempts against this ideal if that has not been done; otherwise only grades them.
+/// Measures the attempts against this ideal if that has not been done. Otherwise grades them with the measured values.
 void SweepPage::measureLater()
 {
     if (!m_good)
@@ -253,7 +253,8 @@ void SweepPage::measureLater()
     });
 }
 
-/// Returns whether ideal, tooth and lesion are as they were opened: the saved attempts were measured against them.
+/// Returns whether ideal, tooth and lesion are unchanged since the lesson was opened. The saved values of attempts are
+/// valid only then.
 bool SweepPage::isAsOpened() const
 {
     const ::lessons::Lesson& lesson = *m_good->assignment->lesson;
@@ -281,7 +282,7 @@ void SweepPage::sweepAgain()
     else if (m_unmeasured > 0)
         said << howToBegin();
     else
-        return;  // it has been said what to do
+        return;  // a message says what to do
     if (countsKnown)
         said << tr("%n of them from the history.", nullptr, static_cast<int>(m_known.size()));
     if (m_unmeasured > 0)

@@ -21,8 +21,8 @@ namespace ui::lessoneditor {
 
 class SweepChart;
 
-/// Shows the scores that past attempts would have under other tolerances than the draft's: attempts of a folder,
-/// replayed once on another thread, and attempts at the lesson from the history.
+/// Shows the scores that past attempts would have under other tolerances than the draft's. The attempts come from the
+/// recordings of a folder, which are replayed once on another thread, and from the history of the lesson.
 class SweepPage final : public QWidget
 {
     Q_OBJECT
@@ -30,9 +30,10 @@ public:
     explicit SweepPage(QWidget* parent);
     ~SweepPage() override;
 
-    /// Prepares the page for another lesson. Attempts read from a folder stay: they may be at its tooth as well.
+    /// Prepares the page for another lesson. Keeps the attempts read from a folder, because they may be on the same
+    /// tooth.
     void begin(const std::optional<::lessons::Lesson>& opened);
-    /// Sets the measures of past attempts at the opened lesson. They count until its ideal is changed.
+    /// Sets the measures of past attempts at the opened lesson. They are used until its ideal is changed.
     void setKnown(std::vector<MeasuredAttempt> attempts);
     /// Sets the current draft.
     /// @param good  a result with an assignment
@@ -56,13 +57,12 @@ private:
     std::shared_ptr<const PastAttempts> m_past;
     std::vector<MeasuredAttempt> m_known;
     int m_unmeasured = 0;                     ///< attempts without stored measures
-    std::vector<MeasuredAttempt> m_measured;  ///< of m_past
+    std::vector<MeasuredAttempt> m_measured;  ///< measures of the attempts in m_past
     core::grading::IdealTop m_measuredFor;
     std::string m_criteriaOffered;  ///< ids of the criteria in the list
     int m_reading = 0;              ///< number of the newest reading
     std::shared_ptr<std::atomic<bool>> m_cancel;
-    std::shared_ptr<std::atomic<int>> m_measuring;  ///< number of the newest measuring; results of an older one are
-                                                    ///< dropped
+    std::shared_ptr<std::atomic<int>> m_measuring;  ///< number of the newest measuring; older results are discarded
     QString m_summary;
 
     QComboBox* m_swept = nullptr;

@@ -14,13 +14,13 @@
 /// The scores of past attempts under other tolerances. Pure functions; any thread but the ui thread.
 namespace ui::lessoneditor {
 
-/// The result of a recording: replayed once, measured again whenever the ideal changes.
+/// The result of a recording. A recording is replayed once, and measured again whenever the ideal changes.
 struct PastAttempt
 {
     QString name;                 ///< name of its file
     std::uint64_t surface = 0;    ///< core::preparation::surfaceHash() of its tooth
-    std::vector<float> top;       ///< the top map as it was cut, mm
-    core::grading::Measured way;  ///< process, infractions and aids; the other members are unset
+    std::vector<float> top;       ///< top map after the attempt, mm
+    core::grading::Measured way;  ///< process, rule violations and aids; the other members are unset
 };
 
 /// The recordings of a folder.
@@ -30,12 +30,12 @@ struct PastAttempts
     QStringList faults;  ///< a sentence for each recording that could not be read
 };
 
-/// Most recordings that are read from one folder.
+/// Largest number of recordings that are read from one folder.
 inline constexpr int kMostRecordings = 500;
 
-/// Replays every recording of a folder (*.cusprec), at 60 times the speed of recording or more.
-/// @param told    called with the number done and the number of all
-/// @param cancel  checked between recordings; the attempts read until then are returned
+/// Replays every recording of a folder (*.cusprec), at least 60 times as fast as it was recorded.
+/// @param told    called with the number of replayed recordings and the number of all
+/// @param cancel  checked between recordings; if set, returns the attempts read so far
 [[nodiscard]] PastAttempts readAttempts(const QString& folder, const std::function<void(int, int)>& told,
                                         const std::atomic<bool>& cancel);
 
@@ -46,11 +46,11 @@ struct MeasuredAttempt
     ::lessons::Values values;
 };
 
-/// Measures the attempts that were made on the assignment's tooth, and leaves out the others. Some milliseconds each.
+/// Measures the attempts on the assignment's tooth, and omits the others. Takes some milliseconds per attempt.
 [[nodiscard]] std::vector<MeasuredAttempt> measureAttempts(const ::lessons::Assignment& assignment,
                                                            const std::vector<PastAttempt>& attempts);
 
-/// The scores with all tolerances multiplied by each step from 0 to kMostTimes.
+/// The scores when all tolerances are multiplied by each step from 0 to kMostTimes.
 struct Sweep
 {
     struct Line
@@ -70,7 +70,7 @@ inline constexpr double kMostTimes = 3.0;
 inline constexpr int kSweepSteps = 31;
 
 /// Returns the sweep of these attempts.
-/// @param criterion  the only one whose tolerance is multiplied; negative: all
+/// @param criterion  multiplies the tolerance of this criterion only; negative: of all
 [[nodiscard]] Sweep sweepOf(const ::lessons::Rubric& rubric, const std::vector<MeasuredAttempt>& attempts,
                             int criterion);
 

@@ -9,9 +9,9 @@
 
 namespace ui::lessoneditor {
 
-/// Shows the tolerances of a draft on its tooth: from above a band around the outline of the ideal, and in section a
-/// band between the depth limits. The user drags the line of the section, and turns it with a double click, the arrow
-/// keys or the wheel.
+/// Shows the tolerances of a draft on its tooth: from above as a band around the outline of the ideal, and in a section
+/// as a band between the depth limits. The user drags the line of the section, and turns it by a double click, the
+/// arrow keys or the wheel.
 class ToleranceView : public QWidget
 {
     Q_OBJECT

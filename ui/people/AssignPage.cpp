@@ -44,7 +44,7 @@ constexpr int kHeadingPx = 30;
 constexpr int kBoxPx = 16;
 constexpr int kBarPx = 4;
 
-/// Paints a lesson that a click or the space bar ticks, or the heading of a group.
+/// Paints a row of the offers: a lesson with a check box, or the heading of a group.
 class OfferRow final : public QStyledItemDelegate
 {
 public:
@@ -121,7 +121,7 @@ private:
     }
 };
 
-/// A list in which the space bar ticks, whatever other use it has.
+/// A list in which the space bar always ticks a row.
 class OfferList final : public QListView
 {
 public:
@@ -138,7 +138,7 @@ protected:
     }
 };
 
-/// Paints "7 of 12", and below it a bar of that length.
+/// Paints "7 of 12" with a bar of that proportion below it.
 class PassedCell final : public QStyledItemDelegate
 {
 public:
@@ -329,7 +329,7 @@ QWidget* AssignPage::makeGiven()
     return part;
 }
 
-/// Makes the foot: what was done, and the button that undoes it.
+/// Makes the bottom row: the last change, and the button that undoes it.
 QWidget* AssignPage::makeFeet()
 {
     auto* part = new QWidget(this);
@@ -400,7 +400,7 @@ void AssignPage::forget()
     beginAfresh();
     m_overview = {};
     m_given.clear();
-    // An answer is for who has asked; nobody else waits for it.
+    // Discards a pending request. Its answer is for the user who sent it, who has logged out.
     m_isAsking = false;
     m_isUndoing = false;
     m_hadFocus = false;
@@ -415,7 +415,7 @@ QString AssignPage::titleOf(const std::string& lessonId) const
     return found == m_lessons.end() ? QString::fromStdString(lessonId) : found->title;
 }
 
-/// Returns who has no attempt left under these terms. Attempts before the assignment count.
+/// Returns the students with no attempt left under these terms. Attempts before the assignment count.
 std::set<std::size_t> AssignPage::usedUp(const database::ClassAssignment& given) const
 {
     std::set<std::size_t> students;
@@ -432,7 +432,7 @@ std::set<std::size_t> AssignPage::usedUp(const database::ClassAssignment& given)
     return students;
 }
 
-/// Fills the offers. Ticks stay, unless the lesson has been assigned meanwhile.
+/// Fills the list of lessons to assign. Keeps ticks, except of lessons that have been assigned meanwhile.
 void AssignPage::fillOffers()
 {
     const std::vector<std::string> before = ticked();
@@ -476,7 +476,7 @@ void AssignPage::fillOffers()
     tellChosen();
 }
 
-/// Shows the lessons that contain every word, under the remaining headings.
+/// Shows the lessons whose titles contain every word, and the headings of their groups.
 void AssignPage::search()
 {
     int heading = -1;
@@ -504,7 +504,7 @@ void AssignPage::search()
     keepCurrentInSight();
 }
 
-/// Keeps the current row visible: a hidden row would be ticked unseen.
+/// Makes the current row visible. A hidden row could be ticked unseen.
 void AssignPage::keepCurrentInSight()
 {
     const QModelIndex current = m_list->currentIndex();
@@ -551,7 +551,7 @@ void AssignPage::fillGiven()
         add(title, title)->setToolTip(title);
         const bool isOver = !given.dueUtc.empty() && given.dueUtc < nowUtc;
         const QString due = text::dueShort(given.dueUtc, m_now);
-        // Those without a day come last; their end of days is written like that of others.
+        // Lessons without a due date are sorted last; their sort key is a year later than all others.
         auto* dueItem = add(given.dueUtc.empty() ? QStringLiteral("–")
                             //: %1: a date that is over
                             : isOver ? tr("%1, over").arg(due)
@@ -605,7 +605,7 @@ void AssignPage::take(const QList<AssignmentChange>& changes)
         return;
     }
     m_isAsking = true;
-    // Buttons that rest meanwhile hand the keyboard on to whatever comes next.
+    // The buttons are disabled until the answer and would pass the focus on to the next widget.
     m_hadFocus = m_assign->hasFocus() || m_change->hasFocus() || m_takeBack->hasFocus() || m_undo->hasFocus();
     if (m_hadFocus)
         (m_given.isEmpty() ? static_cast<QWidget*>(m_list) : m_table)->setFocus();
@@ -626,7 +626,7 @@ void AssignPage::confirm(const QList<AssignmentChange>& changes)
         if (change.after)
             m_given.append(*change.after);
     }
-    std::set<std::size_t> stuck;  // at any of the lessons
+    std::set<std::size_t> stuck;  // students who need help in at least one lesson
     for (const AssignmentChange& change : changes)
         if (change.after)
             stuck.merge(usedUp(*change.after));
@@ -643,9 +643,9 @@ void AssignPage::confirm(const QList<AssignmentChange>& changes)
                tr("%n student(s) who have not passed have no attempts left: earlier ones count.", nullptr, noneLeft);
     };
     m_said->setText(m_saying());
-    // Who has just pressed a button that rests now goes on with the one beside the words.
+    // If the focus was on a button that is now disabled, the button beside the message gets it.
     m_undo->setVisible(!m_last.isEmpty());
-    tellChosen();  // a button that rests takes no keyboard
+    tellChosen();  // a disabled button cannot take the focus
     if (!m_last.isEmpty() && std::exchange(m_hadFocus, false))
         m_undo->setFocus();
     announce(*m_said);
@@ -674,12 +674,12 @@ void AssignPage::tellChosen()
     m_takeBack->setEnabled(hasChosen && !m_isAsking);
     m_terms->setEnabled(hasChosen);
     if (!hasChosen)
-        m_terms->reset();  // else it goes on showing those of what was chosen last
+        m_terms->reset();  // otherwise it would still show the terms of the previous selection
     m_undo->setEnabled(!m_isAsking);
 }
 
-/// Says where lessons must be: the school's database has none, so a student finds a lesson that is not shipped only
-/// where its file is.
+/// Says where the files of lessons must be. The database contains no lessons, so a student finds a lesson that is not
+/// shipped only on a computer that has its file.
 void AssignPage::tellWhere()
 {
     QStringList titles;
@@ -690,7 +690,7 @@ void AssignPage::tellWhere()
                 titles << lesson.title;
                 files << QDir::toNativeSeparators(lesson.file);
             }
-    files.removeDuplicates();  // of a pack
+    files.removeDuplicates();  // several lessons of one pack
     m_where->setVisible(!titles.isEmpty());
     //: %1: titles; %2: files
     m_where->setText(tr("%n lesson(s) of your own: %1. Students find them only at computers that have their files, "

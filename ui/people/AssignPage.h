@@ -36,10 +36,10 @@ struct LessonOffer
     QString title;
     QString tooth;  ///< "Lower left first molar (36)"
     QString group;  ///< its heading in the list
-    QString file;   ///< the lesson's file, or its pack's; empty: shipped, and so on every computer
+    QString file;   ///< the lesson's file, or the file of its pack; empty: shipped with the program
 };
 
-/// A change of one assignment; empty: not assigned.
+/// A change of one assignment. Empty terms mean "not assigned".
 struct AssignmentChange
 {
     std::optional<database::ClassAssignment> before;
@@ -47,8 +47,9 @@ struct AssignmentChange
     bool operator==(const AssignmentChange&) const = default;
 };
 
-/// The page where lessons are assigned to a class: all lessons with a search, of which several can be assigned at once;
-/// and the assigned ones with due date, attempts and number of students who passed. The last change can be undone.
+/// The page where lessons are assigned to a class. It lists all lessons with a search, of which several can be assigned
+/// at once, and the assigned ones with due date, attempts and the number of students who passed. The last change can be
+/// undone.
 class AssignPage final : public kit::Page
 {
     Q_OBJECT
@@ -57,16 +58,16 @@ public:
 
     /// @param lessons  in the order of the list
     void setLessons(const std::vector<LessonOffer>& lessons);
-    /// Sets the class and its assignments. Another class than before resets the page.
+    /// Sets the class and its assignments. Resets the page if the class has changed.
     /// @param now  the time from which days are counted
     void setAssignments(const database::ClassOverview& overview, const QList<database::ClassAssignment>& given,
                         const QDateTime& now = QDateTime::currentDateTimeUtc());
-    /// Shows that the changes requested have been made, with a button that undoes them.
+    /// Shows that the requested changes have been made, with a button that undoes them.
     void confirm(const QList<AssignmentChange>& changes);
-    /// Shows why the changes requested failed, wholly or in part.
+    /// Shows why some or all of the requested changes have failed.
     void refuse(const QString& sentence);
 
-    /// Clears the page for another user: selection, messages, undo and terms.
+    /// Resets the page for another user: selection, messages, undo and terms.
     void forget();
 
     [[nodiscard]] database::ClassId ofClass() const { return m_overview.id; }

@@ -25,7 +25,7 @@
 namespace ui::people {
 namespace {
 
-constexpr int kDaysGiven = 7;  ///< to begin with
+constexpr int kDaysGiven = 7;  ///< default number of days until the due date
 constexpr int kMostAttempts = 99;
 constexpr int kInputHighPx = 30;
 
@@ -102,7 +102,7 @@ AssignTerms::Terms AssignTerms::changed(const Terms& before) const
     return {m_isDueChanged ? now.dueUtc : before.dueUtc, m_isLimitChanged ? now.attemptLimit : before.attemptLimit};
 }
 
-/// Explains the terms where they may surprise.
+/// Explains terms with consequences that the teacher may not expect.
 void AssignTerms::tellNote()
 {
     QStringList notes;
@@ -133,7 +133,7 @@ void AssignTerms::retell()
     tellNote();
 }
 
-/// Names months and days of the calendar in the present language.
+/// Names the months and days of the calendar in the current language.
 void AssignTerms::sayCalendar()
 {
     QCalendarWidget* calendar = m_day->calendarWidget();
@@ -150,9 +150,9 @@ void AssignTerms::sayCalendar()
             button->setAccessibleName(tr("The next month"));
 }
 
-/// Names months and days of the calendar, which Qt makes when it is first opened. A whole day can be typed over,
-/// whether the field was entered with the mouse or all of it is selected; otherwise the digits would go into the month
-/// or the year under the pointer.
+/// Translates the calendar, which Qt creates when it is first opened. Also lets the user type a whole date, whether
+/// they entered the field with the mouse or have selected all of it. Without this the digits would go into the month or
+/// year under the pointer.
 bool AssignTerms::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::KeyPress)
@@ -164,13 +164,14 @@ bool AssignTerms::eventFilter(QObject* watched, QEvent* event)
         const bool isDigit = !typed.isEmpty() && typed.at(0).isDigit();
         if (isDigit && text->selectedText() == text->text())
             fromTheFirst();
-        // Behind the last digit of a day Qt goes on to the month by itself; a point then would skip that.
+        // After the last digit of a section Qt moves on to the next section by itself. A separator typed then would
+        // skip that one.
         if (!isDigit && m_day->currentSectionIndex() > 0 && !typed.isEmpty() && typed.at(0).isPrint() &&
             text->selectedText() == m_day->sectionText(m_day->currentSection()))
             return true;
     }
     if (event->type() == QEvent::FocusIn && dynamic_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason)
-        QTimer::singleShot(0, m_day, fromTheFirst);  // after the press that brought it
+        QTimer::singleShot(0, m_day, fromTheFirst);  // after the mouse press that gave the focus
     return QWidget::eventFilter(watched, event);
 }
 

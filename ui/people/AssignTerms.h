@@ -32,7 +32,7 @@ public:
     /// Resets to the defaults: due in a week, no limit.
     void reset();
     [[nodiscard]] Terms terms() const;
-    /// Returns the terms of an assignment with what the user has changed since setTerms().
+    /// Returns the terms with the user's changes since setTerms() applied.
     [[nodiscard]] Terms changed(const Terms& before) const;
 
 protected:

@@ -42,7 +42,7 @@ Chart distributionChart(const database::LessonResults& results, int passMarkTent
         int most = 0;
         for (int bin = 0; bin < kBins; ++bin) {
             const int from = bin * kBinTenths;
-            // Who has all points is in the last bin.
+            // A full score belongs to the last bin.
             const int to = bin == kBins - 1 ? from + 2 * kBinTenths : from + kBinTenths;
             const auto count = static_cast<int>(std::count_if(results.bestTenths.begin(), results.bestTenths.end(),
                                                               [&](int t) { return t >= from && t < to; }));
@@ -71,7 +71,7 @@ Chart learningChart(const database::LessonResults& results, int passMarkTenths)
     curve.y = {Words::tr("Points"), 0.0, kPointsEnd};
     if (passMarkTenths > 0)
         curve.limits << Limit{passMarkTenths / 10.0, false, Words::tr("Pass mark")};
-    // One attempt makes no area: it is a mark.
+    // A single attempt has no area, so it is drawn as a mark.
     Line middles{{}, {}, Mark::Circle, false};
     for (const Slice& slice : curve.band.slices)
         middles.dots << Dot{slice.x, slice.middle, slice.words, 0};

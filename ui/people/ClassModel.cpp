@@ -21,16 +21,16 @@ using namespace ui::kit;
 
 namespace {
 
-constexpr double kPaleAt = 200.0;  ///< tenths: below this the ground is at its faintest
+constexpr double kPaleAt = 200.0;  ///< tenths of a point: up to this score a cell's background is at its faintest
 constexpr double kFullTenths = 1000.0;
 constexpr int kLongestExamS = 3 * 3600;
 constexpr double kFaintest = 0.06;
-constexpr double kFullest = 0.42;       ///< more, and the words on it would be hard to read
-constexpr QStringView kSign = u"  ▲ ";  ///< between a name and what is needed
-constexpr QStringView kGone = u"  – ";  ///< and between that of who comes no more and the word for it
+constexpr double kFullest = 0.42;       ///< a stronger colour would make the text hard to read
+constexpr QStringView kSign = u"  ▲ ";  ///< between a name and the help that the student needs
+constexpr QStringView kGone = u"  – ";  ///< between the name of a disabled student and the word for it
 
-/// Mixes two colours like a translucent layer. Qt's painter takes over ten times as long for transparency: it divides
-/// each small area among threads and waits for them.
+/// Blends two colours like a translucent layer. Qt's painter takes more than ten times as long for transparency,
+/// because it divides each small area among threads and waits for them.
 QColor mixed(const QColor& below, const QColor& above, double share)
 {
     const auto channel = [share](int a, int b) { return static_cast<int>(std::lround(a + (b - a) * share)); };
@@ -42,7 +42,7 @@ QColor mixed(const QColor& below, const QColor& above, double share)
 
 Need needOf(const MatrixStudent& student, bool hasNoneLeft, bool isLate)
 {
-    if (hasNoneLeft)  // comes first: only the teacher can help here
+    if (hasNoneLeft)  // first, because only the teacher can help here
         return Need::NoneLeft;
     std::vector<::lessons::AttemptOutcome> tries;
     for (std::size_t k = 0; k < std::min(student.recentTenths.size(), student.recentPassed.size()); ++k)
@@ -96,7 +96,7 @@ QString shortened(const QString& head, const QFontMetrics& metrics, int widthPx)
         return metrics.elidedText(head, Qt::ElideRight, widthPx);
     const QString need = head.mid(sign);
     const int namePx = std::max(widthPx / 2, widthPx - metrics.horizontalAdvance(need));
-    // What tells two of one name apart is kept.
+    // The text in brackets, which distinguishes students of the same name, is never elided.
     const qsizetype bracket = head.left(sign).lastIndexOf(QStringLiteral(" ("));
     const QString apart = bracket > 0 && head.at(sign - 1) == u')' ? head.mid(bracket, sign - bracket) : QString();
     const QString name = metrics.elidedText(head.left(sign - apart.size()), Qt::ElideRight,
@@ -121,7 +121,7 @@ void NameHeads::initStyleOptionForIndex(QStyleOptionHeader* option, int logicalI
 void ClassModel::setOverview(const database::ClassOverview& overview, const QDateTime& now)
 {
     beginResetModel();
-    if (overview.id != m_overview.id)  // what another one is to do
+    if (overview.id != m_overview.id)  // assignments of another class
         m_given.clear();
     m_overview = overview;
     m_now = now;
@@ -292,7 +292,7 @@ QVariant ClassModel::data(const QModelIndex& index, int role) const
             const std::string& last = m_overview.students[static_cast<std::size_t>(index.row())].lastAttemptUtc;
             return last.empty() ? QStringLiteral("–") : text::whenShort(last, m_now);
         }
-        // 74.9 of the 75 that were needed are not 75.
+        // Rounds only a passing score. 74.9 of 75 required points must not appear as 75.
         return one->attempts == 0 ? QStringLiteral("–")
                                   : QLocale().toString((one->bestTenths + (one->passed ? 5 : 0)) / 10);
     case Qt::ToolTipRole:
@@ -305,7 +305,7 @@ QVariant ClassModel::data(const QModelIndex& index, int role) const
     }
 }
 
-/// Returns the title, and below it the due date. The tooltip also has the number of attempts.
+/// Returns the lesson's title with the due date below it. A tooltip also has the number of attempts.
 QString ClassModel::headWords(std::size_t lesson, bool isTip) const
 {
     const std::string& id = m_overview.lessons[lesson];
@@ -322,7 +322,7 @@ QString ClassModel::headWords(std::size_t lesson, bool isTip) const
     return words.join(u'\n');
 }
 
-/// Returns the mark after a name; empty if there is none.
+/// Returns the mark after a student's name, or an empty string.
 QString ClassModel::markOf(int row) const
 {
     return m_overview.students[static_cast<std::size_t>(row)].isDisabled
@@ -344,7 +344,7 @@ QVariant ClassModel::headerData(int section, Qt::Orientation orientation, int ro
                                    : static_cast<int>(Qt::AlignLeft | Qt::AlignBottom));
         return {};
     }
-    if (section < 0 || section >= m_needs.size())  // a header asks a filter for a row that is gone: that is row -1
+    if (section < 0 || section >= m_needs.size())  // a header asks a filter model for row -1 when a row is removed
         return {};
     const MatrixStudent& student = m_overview.students[static_cast<std::size_t>(section)];
     switch (role) {
@@ -423,7 +423,7 @@ bool ClassFilter::filterAcceptsRow(int row, const QModelIndex&) const
 
 bool ClassFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const
 {
-    // Who has nothing in this column comes last, whichever way it is sorted.
+    // Students without a value in this column come last in both sort orders.
     const auto order = [&](bool isLeftNone, bool isRightNone, bool isLess) {
         if (isLeftNone != isRightNone)
             return isRightNone != m_isDescending;
@@ -445,11 +445,11 @@ void ScoreCell::paint(QPainter* painter, const QStyleOptionViewItem& option, con
         return QStyledItemDelegate::paint(painter, option, index);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    const QPalette p = option.widget != nullptr ? option.widget->window()->palette()  // the table's own has no ground
+    const QPalette p = option.widget != nullptr ? option.widget->window()->palette()  // its own has no background
                                                 : option.palette;
     const QRectF box = QRectF(option.rect).adjusted(1.5, 1.5, -1.5, -1.5);
     const QColor base = p.color(QPalette::Base);
-    painter->fillRect(option.rect, base);  // what is chosen has a ring, so that it keeps its shade
+    painter->fillRect(option.rect, base);  // the selection is a ring, so that the shade remains visible
     if (one->attempts > 0) {
         const double share = std::clamp((one->bestTenths - kPaleAt) / (kFullTenths - kPaleAt), 0.0, 1.0);
         painter->setPen(Qt::NoPen);
@@ -463,7 +463,7 @@ void ScoreCell::paint(QPainter* painter, const QStyleOptionViewItem& option, con
     }
     if (const QModelIndex source = m_filter->mapToSource(index);
         m_model->isLate(source) || m_model->hasNoneLeft(source)) {
-        // The sign that stands behind the names of those who need their teacher.
+        // The same triangle that follows the names of students who need help.
         const double x = box.left() + 7.0;
         const double y = box.center().y();
         painter->setPen(Qt::NoPen);

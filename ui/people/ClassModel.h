@@ -20,18 +20,18 @@
 
 namespace ui::people {
 
-/// Why a student needs the teacher.
+/// The reason why a student needs help.
 enum class Need {
     Nothing,
     NoneLeft,       ///< no attempts left at an assigned lesson that is not passed: only the teacher can help
     Stuck,          ///< lessons::needsHelp() at the lesson tried last
-    NeverLoggedIn,  ///< perhaps unable to
+    NeverLoggedIn,  ///< may be unable to log in
     Late,           ///< an assigned lesson is overdue and not passed
     NotBegun        ///< has logged in, but has no graded attempt
 };
 
-/// Returns whether the exam that the student began last may still be going on. An exam that was broken off is not
-/// recorded, so only its time decides.
+/// Returns whether the exam that the student began last may still be running. A cancelled exam is not recorded, so only
+/// its time limit decides.
 [[nodiscard]] bool mayGoOn(const database::MatrixCell& cell, const QDateTime& now);
 
 /// Returns the most urgent need of a student.
@@ -41,8 +41,7 @@ enum class Need {
 [[nodiscard]] QString needWord(Need need);
 /// Returns the full name, or the user name if there is none.
 [[nodiscard]] QString nameOf(const database::MatrixStudent& student);
-/// Shortens a row heading of ClassModel to a width. Shortens the name first and keeps the sign and the word of the
-/// need.
+/// Elides a row heading of ClassModel to a width. Elides the name first, and never the sign and the word of the need.
 [[nodiscard]] QString shortened(const QString& head, const QFontMetrics& metrics, int widthPx);
 
 /// A class as a matrix: a row for each student; a column for the last attempt and one for each lesson.
@@ -68,7 +67,7 @@ public:
     [[nodiscard]] bool needs(int row, Need need) const;
     /// Returns the number of students with this need.
     [[nodiscard]] int count(Need need) const;
-    /// The students who passed a lesson, of those who tried it.
+    /// How many students passed a lesson, and how many tried it.
     struct Passed
     {
         int passed = 0;
@@ -78,8 +77,8 @@ public:
     [[nodiscard]] const database::MatrixCell* cell(const QModelIndex& index) const;
     /// Returns whether the lesson is overdue and this student has not passed it.
     [[nodiscard]] bool isLate(const QModelIndex& index) const;
-    /// Returns whether this student has used up all attempts at the lesson without passing. False while the last may
-    /// still be going on.
+    /// Returns whether this student has used all attempts at the lesson without passing. False while the last attempt
+    /// may still be running.
     [[nodiscard]] bool hasNoneLeft(const QModelIndex& index) const;
     /// Returns whether any lesson has a due date.
     [[nodiscard]] bool hasDueDates() const;

@@ -42,8 +42,8 @@ using database::MatrixStudent;
 using namespace ui::kit;
 
 constexpr int kLessonPx = 104;
-constexpr int kHeadPx = 62;  ///< three lines of a lesson's title
-constexpr int kDuePx = 18;   ///< and one for when it is due
+constexpr int kHeadPx = 62;  ///< height of three lines of a lesson's title
+constexpr int kDuePx = 18;   ///< height of one line with the due date
 constexpr int kNamesPx = 250;
 constexpr int kLeastChooserPx = 240;
 constexpr int kSearchPx = 240;
@@ -58,10 +58,10 @@ ClassPage::ClassPage(const Actions& actions, QWidget* parent)
 {
     body()->setSpacing(kSpace2);
     body()->addWidget(makeHead());
-    // In a low window, or with large text, both have the height that they can be read at, and are scrolled.
+    // If the window is low or the text large, both parts keep a readable height and the page scrolls.
     auto* both = new QWidget(this);
     auto* column = new QVBoxLayout(both);
-    both->setMinimumWidth(1);  // as wide as the page: nothing scrolls sideways
+    both->setMinimumWidth(1);  // follows the width of the page, so that nothing scrolls sideways
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kSpace2);
     column->addWidget(makeMatrix(), 1);
@@ -73,8 +73,8 @@ ClassPage::ClassPage(const Actions& actions, QWidget* parent)
     retell();
 }
 
-/// Builds the top of the page: the choice of the class, the students who need help, and the actions for the whole
-/// class.
+/// Makes the top of the page: the choice of class, the filters for students who need help, and the actions for the
+/// whole class.
 QWidget* ClassPage::makeHead()
 {
     auto* part = new QWidget(this);
@@ -123,7 +123,7 @@ QWidget* ClassPage::makeHead()
         needs->addWidget(button);
     }
     needs->addStretch(1);
-    // One of them, or none: then everybody is listed.
+    // At most one filter is on. Without a filter all students are listed.
     connect(m_need, &QButtonGroup::idToggled, this, [this](int id, bool isOn) {
         for (QAbstractButton* button : m_need->buttons())
             if (isOn && m_need->id(button) != id) {
@@ -165,7 +165,7 @@ QWidget* ClassPage::makeMatrix()
     m_table = new kit::ListTable(part);
     m_table->setObjectName(QStringLiteral("matrix"));
     m_table->installEventFilter(this);
-    // Before the model, so that it learns of fewer rows before the view asks how wide it wants to be.
+    // Set before the model, so that the header learns of removed rows before the view asks for its width.
     auto* names = new NameHeads(m_table);
     names->setFixedWidth(kNamesPx);
     m_table->setVerticalHeader(names);
@@ -184,7 +184,7 @@ QWidget* ClassPage::makeMatrix()
         emit studentRequested(m_model->overview().students[static_cast<std::size_t>(source.row())].id.value);
     });
     connect(m_table, &QTableView::clicked, this, &ClassPage::takeCell);
-    // A double click has been a click before: keys only.
+    // Handles keys only, because a double click has already been handled as a click.
     connect(m_table, &QTableView::activated, this, [this](const QModelIndex& index) {
         if (m_table->isByKey())
             takeCell(index);
@@ -217,7 +217,7 @@ QWidget* ClassPage::makeMatrix()
     return m_stack;
 }
 
-/// Makes the page for an empty class.
+/// Makes the page for a class without students.
 QWidget* ClassPage::makeEmpty()
 {
     auto* part = new QWidget(m_stack);
@@ -258,7 +258,7 @@ QWidget* ClassPage::makeCharts()
     m_lessonWord->setFont(typeface(kBody, QFont::DemiBold));
     m_lesson = new QComboBox(part);
     m_lesson->setObjectName(QStringLiteral("lessonChooser"));
-    m_lesson->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // a title that is cut has no ellipsis
+    m_lesson->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // a cut-off title would have no ellipsis
     m_lesson->setMinimumSize(kLeastChooserPx, 32);
     m_lessonWord->setBuddy(m_lesson);
     connect(m_lesson, &QComboBox::currentIndexChanged, this, &ClassPage::takeLesson);
@@ -303,7 +303,7 @@ void ClassPage::listClasses(const QList<database::SchoolClass>& classes)
     retell();
 }
 
-/// Requests the chosen class. No results of another class may be shown under its name.
+/// Requests the selected class. Clears the page, so that results of another class are not shown under its name.
 void ClassPage::takeClass()
 {
     if (!isRead())
@@ -393,7 +393,7 @@ void ClassPage::goTo(const Place& place)
                                       [&place](const MatrixStudent& one) { return one.id == place.student; });
     const auto lesson = std::find(lessons.begin(), lessons.end(), place.lesson);
     if (student != students.end() && (lesson != lessons.end() || place.lesson.empty())) {
-        const QSignalBlocker quiet(m_lesson);  // the charts stay those of the lesson that is chosen
+        const QSignalBlocker quiet(m_lesson);  // the charts remain those of the selected lesson
         const int column = place.lesson.empty() ? ClassModel::kLast
                                                 : ClassModel::kFirstLesson + static_cast<int>(lesson - lessons.begin());
         const QString charted = chosenLesson();
@@ -434,7 +434,7 @@ void ClassPage::setLessonTitles(const text::LessonTitles& titles)
 void ClassPage::setResults(const database::LessonResults& results, int passMarkTenths,
                            const std::map<std::string, QString>& criteria)
 {
-    // The answer may come after another lesson was chosen.
+    // Another lesson may have been selected since the request.
     if (QString::fromStdString(results.lessonId) != chosenLesson())
         return;
     m_results = results;
@@ -455,7 +455,7 @@ QString ClassPage::chosenLesson() const
 
 void ClassPage::fillLessons()
 {
-    // Of one class after the other one wants to see the same.
+    // After a change of class, selects the same lesson as before.
     if (!chosenLesson().isEmpty())
         m_lastLesson = chosenLesson();
     const QString kept = m_lastLesson;
@@ -463,7 +463,7 @@ void ClassPage::fillLessons()
     m_lesson->clear();
     const std::vector<std::string>& lessons = m_model->overview().lessons;
     for (std::size_t k = 0; k < lessons.size(); ++k) {
-        // So that the hard ones are seen before any chart is opened.
+        // Shows the results beside each title, so that teachers see the difficult lessons before they open a chart.
         const ClassModel::Passed of = m_model->passed(k);
         const QString title = text::lessonTitle(m_titles, lessons[k]);
         m_lesson->addItem(
@@ -512,7 +512,7 @@ void ClassPage::forget()
 
 void ClassPage::tellNeeds()
 {
-    // Some have more than one need.
+    // Not the sum of the counts, because a student may have several needs.
     const int all = m_model->rowCount() - m_model->count(Need::Nothing);
     for (const Need need : kNeeds) {
         const int count = m_model->count(need);
@@ -520,7 +520,7 @@ void ClassPage::tellNeeds()
         //: %1: how many; %2: "stuck"
         button->setText(tr("%1 %2").arg(count).arg(needWord(need)));
         button->setVisible(count > 0);
-        if (count == 0)  // else nobody would be shown, and it could not be taken off
+        if (count == 0)  // otherwise the list would be empty, and the filter could not be switched off
             button->setChecked(false);
     }
     const auto explain = [this](Need need, const QString& words) {
@@ -600,7 +600,7 @@ void ClassPage::drawCharts()
     show(m_difficulty, difficultyChart(m_results, m_criteria));
 }
 
-/// Divides the width among the lessons, down to what their titles need.
+/// Divides the width among the lessons. No column is narrower than its title needs.
 void ClassPage::fitColumns()
 {
     const int lessons = static_cast<int>(m_model->overview().lessons.size());
@@ -611,7 +611,7 @@ void ClassPage::fitColumns()
     columns->resizeSection(ClassModel::kLast, last);
     const int room = m_table->width() - kNamesPx - last - kSpace6;
     const int each = std::clamp(room / lessons, kLessonPx, 2 * kLessonPx);
-    // A title is broken between words, and the longest of them is not cut off.
+    // A title wraps between words, so its longest word must fit.
     static const QRegularExpression gaps(QStringLiteral("\\s+"));
     const QFontMetrics letters(typeface(kBody, QFont::DemiBold));
     for (int k = 0; k < lessons; ++k) {
@@ -631,7 +631,7 @@ void ClassPage::say(std::function<QString()> words)
         announce(*m_said);
 }
 
-/// Shows the message; a path in it may be longer than the room.
+/// Shows the message. Its tooltip has the whole text, because a path may be longer than the room.
 void ClassPage::tellSaying()
 {
     m_said->setText(m_saying ? m_saying() : QString());

@@ -33,26 +33,26 @@ class ChartPanel;
 namespace ui::people {
 
 /// The page of a class for its teacher: the students who need help, the best score of every student at every lesson,
-/// and charts of the class at one lesson: distribution, learning curve, difficulty.
+/// and charts of the class at one lesson (distribution, learning curve, difficulty).
 class ClassPage final : public kit::Page
 {
     Q_OBJECT
 public:
     ClassPage(const kit::Actions& actions, QWidget* parent);
 
-    /// Sets whether the user may enter people and create classes.
+    /// Sets whether the user may add people and classes.
     void setMayEnter(bool may);
     /// Sets the user's classes. The selection stays if it is among them.
     void setClasses(const QList<database::SchoolClass>& classes);
-    /// Clears the page for another user: contents, search and filters.
+    /// Resets the page for another user: contents, search and filters.
     void forget();
-    /// Sets the contents of a class. For the same class, selection and scroll position stay.
+    /// Sets the contents of a class. If the class is the same, selection and scroll position do not change.
     /// @param now  the time from which days are counted
     void setOverview(const database::ClassOverview& overview, const QDateTime& now = QDateTime::currentDateTimeUtc());
     /// Sets the assignments of the class. Call after setOverview().
     void setAssignments(const QList<database::ClassAssignment>& given);
     /// Shows why the class, or the list of classes, could not be read. Does nothing if the class has been read before.
-    /// @param why  called again when the language changes
+    /// @param why  returns the reason in the current language
     void refuse(std::function<QString()> why);
     /// Returns whether the selected class has been read, or the list of classes if there is none.
     [[nodiscard]] bool isRead() const { return m_isListed && m_model->overview().id == chosenClass(); }
@@ -67,30 +67,30 @@ public:
     /// Returns the id of the selected lesson; empty: none.
     [[nodiscard]] QString chosenLesson() const;
     [[nodiscard]] charts::Table table() const { return m_model->table(); }
-    /// Writes the matrix to a file and shows the outcome below the matrix. Returns whether it succeeded.
+    /// Writes the matrix to a file and shows the result below the matrix. Returns whether it succeeded.
     bool saveTable(const QString& path);
-    /// csv() returns the matrix as a file; save() writes such a file and shows the outcome.
+    /// csv() returns the matrix as CSV. save() writes such data to a file and shows the result.
     [[nodiscard]] QByteArray csv() const;
     bool save(const QString& path, const QByteArray& csv);
     void say(std::function<QString()> words);
-    /// Requests the selected class again, because others may have changed it.
+    /// Requests the selected class again, because other users may have changed it.
     void readAgain();
 
 signals:
-    /// Emitted when a class was selected or is to be read again.
+    /// Emitted when a class was selected or must be read again.
     void classChosen(qint64 classId);
-    /// Emitted when the list of classes is to be read.
+    /// Emitted when the list of classes must be read.
     void listRequested();
     /// Emitted when the results of a lesson are needed.
     void lessonChosen(const QString& lessonId);
     void attemptsRequested(qint64 personId, const QString& lessonId);
-    /// Emitted when the user asks for all attempts of a student.
+    /// Emitted when the user requests all attempts of a student.
     void studentRequested(qint64 personId);
     void assignRequested();
-    /// Emitted when the user asks for the page where people are entered and classes are created.
+    /// Emitted when the user requests the page where people and classes are added.
     void peopleRequested();
     void pdfRequested();
-    /// Emitted when the user has chosen a file for the table; save() is expected.
+    /// Emitted when the user has chosen a file for the table. The receiver calls save().
     void tableRequested(const QString& path);
     void printRequested();
 
@@ -112,7 +112,7 @@ private:
     /// A position in the matrix.
     struct Place
     {
-        database::PersonId student;  ///< of the current cell
+        database::PersonId student;  ///< student of the current cell
         std::string lesson;          ///< empty: the column of the last attempt
         QPoint scrolled;
     };
@@ -140,7 +140,7 @@ private:
     ClassModel* m_model;
     ClassFilter* m_filter;
     QComboBox* m_class = nullptr;
-    QLineEdit* m_search = nullptr;  ///< for a student
+    QLineEdit* m_search = nullptr;  ///< search for a student
     QLabel* m_found = nullptr;      ///< the number of matches
     QLabel* m_needs = nullptr;
     QButtonGroup* m_need = nullptr;
@@ -157,7 +157,7 @@ private:
     QWidget* m_charts = nullptr;
     QLabel* m_lessonWord = nullptr;
     QComboBox* m_lesson = nullptr;
-    QString m_lastLesson;  ///< the last selected lesson, also while the class has none
+    QString m_lastLesson;  ///< the lesson selected last, also if the class does not have it
     QLabel* m_said = nullptr;
     std::function<QString()> m_saying;
     charts::ChartPanel* m_distribution = nullptr;

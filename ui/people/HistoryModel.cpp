@@ -115,7 +115,7 @@ QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int 
         return QVariant((section >= Score && section != Result ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole && section == Force)
         return tr("Mean and highest force while cutting");
-    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)  // a narrow column may cut its heading
+    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)  // a narrow column may elide its heading
         return {};
     switch (section) {
     case When:
@@ -176,7 +176,7 @@ bool HistoryFilter::lessThan(const QModelIndex& left, const QModelIndex& right) 
     case HistoryModel::Force:
         return a.meanForceMn < b.meanForceMn;
     case HistoryModel::Feedback: {
-        // What is new comes first when sorted downwards.
+        // New feedback comes first in descending order.
         const auto rank = [](const QString& words, const QString& fresh) {
             return words.isEmpty() ? 0 : words == fresh ? 2 : 1;
         };

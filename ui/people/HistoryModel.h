@@ -25,7 +25,7 @@ public:
     explicit HistoryModel(QObject* parent) : QAbstractTableModel(parent) {}
 
     void setAttempts(const QList<database::AttemptRecord>& attempts);
-    /// Sets which attempts others have commented on.
+    /// Sets the attempts that other users have commented on.
     /// @param isNew  by attempt: whether the student has not read the comments
     /// @param isOwn  the user is that student
     void setFeedback(std::map<std::int64_t, bool> isNew, bool isOwn);

@@ -28,10 +28,10 @@ namespace {
 
 using namespace ui::kit;
 
-constexpr int kArrowPx = 18;  ///< that tells the sorting
+constexpr int kArrowPx = 18;  ///< width of the sorting arrow
 constexpr int kEmptyPx = 460;
 constexpr int kLeastTitlePx = 190;
-constexpr qsizetype kMostStarts = 3;  ///< that are named
+constexpr qsizetype kMostStarts = 3;  ///< number of exams without a score that are listed
 
 enum Which { Criteria, Time, Force, Speed };
 
@@ -236,7 +236,7 @@ void HistoryPage::setExamsWithoutScore(const QList<database::ExamStart>& newestF
     tellWithoutScore();
 }
 
-/// Shows the exams without a score in the lesson that is shown.
+/// Lists the exams without a score in the lesson that is shown.
 void HistoryPage::tellWithoutScore()
 {
     const auto shown = lesson();
@@ -261,7 +261,7 @@ void HistoryPage::setWaiting(int count)
     tellWaiting();
 }
 
-/// Shows what is still waiting, and whether the page has any content.
+/// Shows the number of attempts not yet uploaded, and whether the page has any content.
 void HistoryPage::tellWaiting()
 {
     m_waitingWords->setText(
@@ -425,7 +425,7 @@ void HistoryPage::retell()
                                    "time and force, and how it goes from attempt to attempt. Do a lesson and have it "
                                    "graded.")
                               : tr("As soon as an attempt has been graded it is here."));
-    // A label that is aligned is given the height of one line.
+    // A layout gives an aligned label the height of one line only.
     m_emptyWords->setFixedHeight(m_emptyWords->heightForWidth(kEmptyPx));
     m_start->setVisible(m_person.isEmpty());
     m_model->retell();
@@ -446,7 +446,7 @@ void HistoryPage::setFeedback(const std::vector<database::Feedback>& feedback)
     makeRoom();
 }
 
-/// Makes the columns as wide as their words in this language; the lesson takes the rest.
+/// Makes the columns as wide as their text in the current language. The lesson's column takes the rest.
 void HistoryPage::fitColumns()
 {
     const QFontMetrics metrics(typeface(kBody));
@@ -469,10 +469,10 @@ void HistoryPage::fitColumns()
     makeRoom();
 }
 
-/// Hides force and time, which have charts beside the list, if the titles need the room.
+/// Hides the columns for force and time if the titles need the room. Both have charts beside the list.
 void HistoryPage::makeRoom()
 {
-    // Titles take no more than the longest of them needs.
+    // The title column needs no more than the longest title.
     const QFontMetrics letters(typeface(kBody));
     int titlePx = 0;
     for (int k = 1; k < m_lessons->count(); ++k)

@@ -32,21 +32,21 @@ namespace ui::people {
 class HistoryFilter;
 class HistoryModel;
 
-/// All attempts of one person: a list that sorts and filters by lesson, with charts of score, criteria, time and force.
-/// For the user's own attempts, or a student's.
+/// All attempts of one person: a list that can be sorted and filtered by lesson, with charts of score, criteria, time
+/// and force. Shows the user's own attempts, or those of a student.
 class HistoryPage final : public kit::Page
 {
     Q_OBJECT
 public:
     HistoryPage(const kit::Actions& actions, QWidget* parent);
 
-    /// Clears the page for another user.
+    /// Resets the page for another user.
     void forget();
     /// @param fullName  empty: the user's own attempts
     void setPerson(const QString& fullName);
     /// Sets the attempts of one person. The selection stays if it is among them.
     void setHistory(const QList<database::AttemptRecord>& newestFirst);
-    /// Sets which attempts others have commented on. Call after setHistory().
+    /// Sets the attempts that other users have commented on. Call after setHistory().
     void setFeedback(const std::vector<database::Feedback>& feedback);
     /// Sets the person's exams that were begun and have no score.
     void setExamsWithoutScore(const QList<database::ExamStart>& newestFirst);
@@ -62,21 +62,21 @@ public:
     void setBand(const std::vector<database::BandPoint>& band);
     void setClassMedians(const std::optional<scoring::ClassMedians>& medians);
 
-    /// Requests the attempts again, because others may have commented on them.
+    /// Requests the attempts again, because other users may have commented on them.
     void readAgain() { emit readAgainRequested(); }
 
-    /// Focuses the list of lessons, as this page has no search field.
+    /// Sets the focus to the list of lessons, because this page has no search field.
     [[nodiscard]] bool focusSearch() const override;
     [[nodiscard]] std::optional<std::string> lesson() const;
     /// Returns the selected attempt; 0: none.
     [[nodiscard]] std::int64_t chosen() const;
 
 signals:
-    /// Emitted when the user asks for the score card of an attempt.
+    /// Emitted when the user requests the score card of an attempt.
     void attemptOpenRequested(qint64 id);
     void replayRequested(qint64 id);
     void readAgainRequested();
-    /// Emitted when a lesson was selected: its band and medians are needed. Not emitted for all lessons together.
+    /// Emitted when a lesson was selected and its band and medians are needed. Not emitted for "all lessons".
     void lessonChosen(const QString& id);
 
 protected:

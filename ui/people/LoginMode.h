@@ -3,12 +3,12 @@
 
 namespace ui::people {
 
-/// What the login page asks for.
+/// The question that the login page asks.
 enum class LoginMode {
     Login,
     NewPassword,  ///< after a one-time code: choose a password
     OwnPassword,  ///< change the password of the logged-in user
-    Welcome,      ///< the database has no users: practise, or set up a school
+    Welcome,      ///< the database has no users: practise, or set up the school
     NewSchool,    ///< name the first user of a school, its admin
     Locked        ///< the user locked the window: unlock it, or switch user
 };

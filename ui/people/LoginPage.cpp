@@ -32,7 +32,7 @@ using namespace ui::kit;
 constexpr int kCardPx = 400;
 constexpr int kLongestInput = 300;
 constexpr int kLongestName = 200;
-constexpr int kSoonMs = 600;  ///< what takes longer is told; to look at a password takes half of it
+constexpr int kSoonMs = 600;  ///< longer operations show a message; checking a password takes half of this time
 
 }  // namespace
 
@@ -68,7 +68,7 @@ LoginPage::LoginPage(QWidget* parent)
     column->addStretch(3);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
-    // In a low window, and in long words, all of it is there.
+    // Scrolls if the window is low or a translation is long.
     whole->addWidget(new ScrollPane(content, QPalette::Window, this));
 
     connectInputs();
@@ -133,7 +133,7 @@ void LoginPage::connectInputs()
     connect(m_go, &QPushButton::clicked, this, &LoginPage::submit);
     for (QLineEdit* input : {m_name, m_given, m_family, m_old, m_password, m_again})
         connect(input, &QLineEdit::returnPressed, this, [this, input] {
-            // From one empty place to the next; from the last, in.
+            // Return moves to the next empty field. In the last field it submits the form.
             for (QLineEdit* next : {m_name, m_given, m_family, m_old, m_password, m_again})
                 if (next != input && next->isVisible() && next->text().isEmpty()) {
                     next->setFocus();
@@ -205,7 +205,7 @@ QLineEdit* LoginPage::field(const char* name, bool isPassword)
 void LoginPage::ask(LoginMode door, bool isIn)
 {
     if (door == LoginMode::NewPassword && m_door == LoginMode::Locked)
-        m_name->setText(m_lockedBy);  // the code is for this user
+        m_name->setText(m_lockedBy);  // the one-time code is for this user
     m_door = door;
     m_isIn = isIn;
     if (door == LoginMode::NewPassword)
@@ -313,7 +313,7 @@ void LoginPage::retranslateUi()
     m_guest->setToolTip(brokenIntoLines(tr("Drill and get a grade; nothing is saved")));
 }
 
-/// Title, explanation and button of what is asked.
+/// Sets the title, the explanation and the button for the current login mode.
 void LoginPage::nameQuestion()
 {
     switch (m_door) {
@@ -378,7 +378,7 @@ void LoginPage::setOpening(bool isOpening)
 
 void LoginPage::tellWaiting()
 {
-    // Of what cannot be opened stands there why, and that it is tried again.
+    // If the database cannot be opened, the reason and the automatic retry are shown instead.
     const bool isWaiting = m_isBusy || (m_isOpening && m_unreachable->isHidden());
     if (!isWaiting) {
         m_untilTold->stop();
@@ -394,7 +394,7 @@ void LoginPage::setUnreachable(const QString& sentence)
     m_unreachable->setVisible(!sentence.isEmpty());
     m_tryAgain->setVisible(!sentence.isEmpty());
     if (sentence.isEmpty())
-        tellFault({});  // of a database that could not be asked
+        tellFault({});  // hides the error of a database that could not be read
     setBusy(false);
 }
 
@@ -423,7 +423,7 @@ void LoginPage::setBusy(bool busy)
 {
     m_isBusy = busy;
     if (busy)
-        setFocus();  // else it would go to the next button, and a second Return would press that
+        setFocus();  // otherwise the next button would get the focus, and a second Return would press it
     for (QWidget* input :
          {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_given), static_cast<QWidget*>(m_family),
           static_cast<QWidget*>(m_old), static_cast<QWidget*>(m_change), static_cast<QWidget*>(m_password),
@@ -439,7 +439,7 @@ void LoginPage::refuse(std::function<QString()> sentence)
 {
     setBusy(false);
     tellFault(std::move(sentence));
-    // Who has been sent to another door has typed nothing there yet.
+    // If the login mode has changed, the user has typed nothing in this one yet.
     const bool isEmpty = m_password->text().isEmpty() && m_name->isVisible() && m_name->text().isEmpty();
     QLineEdit* const again = m_old->isVisible() ? m_old : isEmpty ? m_name : m_password;
     again->setFocus();
@@ -502,7 +502,7 @@ void LoginPage::submit()
         emit loginRequested(m_name->text(), password);
         break;
     case LoginMode::Locked:
-        if (password.isEmpty()) {  // a Return that was meant for something else is no wrong password
+        if (password.isEmpty()) {  // an accidental Return does not count as a wrong password
             m_password->setFocus();
             return;
         }

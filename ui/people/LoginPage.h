@@ -31,18 +31,19 @@ class LoginPage final : public QWidget
 public:
     explicit LoginPage(QWidget* parent);
 
-    /// Clears the inputs, and shows those of a mode. The name stays between a one-time code and the new password.
+    /// Resets the inputs and shows those of a mode. The name is not cleared between a one-time code and the new
+    /// password.
     /// @param isIn  the user is logged in and may leave the page without an answer
     void ask(LoginMode door, bool isIn = false);
     [[nodiscard]] LoginMode door() const { return m_door; }
     /// Sets the user who locked the window, for LoginMode::Locked.
-    /// @param inExam  the time of an exam continues
+    /// @param inExam  an exam is running, and its time continues
     void setLockedBy(const QString& username, bool inExam);
-    /// Shows why the database cannot be used; empty: it can be used. Practice without a login is still possible.
+    /// Shows why the database cannot be used. Empty: it can be used. Practice without a login is still possible.
     void setUnreachable(const QString& sentence);
-    /// Sets whether the database is being opened. For a large file this takes seconds, in which nobody can log in.
+    /// Sets whether the database is being opened. For a large file this takes seconds, during which no user can log in.
     void setOpening(bool isOpening);
-    /// Shows the outcome of an operation that logged everybody out, until the next ask().
+    /// Shows the result of an operation that logged all users out, until the next ask().
     /// @param sentence  returns it in the current language; empty: no message
     void say(std::function<QString()> sentence);
     /// Offers to replace a damaged or missing database by a backup.
@@ -66,12 +67,12 @@ signals:
     void codeRequested(const QString& username, const QString& code, const QString& newPassword);
     void schoolRequested(const database::NewPerson& admin, const QString& password);
     void guestRequested();
-    /// Emitted when the user asks to try to open the database again.
+    /// Emitted when the user requests that the database is opened again.
     void againRequested();
     void restoreRequested();
     /// Emitted when another user than the one who locked the window wants to log in.
     void otherRequested();
-    /// Emitted when the user goes back without changing the password.
+    /// Emitted when the user leaves the page without changing the password.
     void leaveRequested();
     void passwordChangeRequested(const QString& old, const QString& newPassword);
 
@@ -90,7 +91,7 @@ private:
     void submit();
     void tellFault(std::function<QString()> sentence);
     void tellWaiting();
-    /// Returns whether the names of a new school's admin are valid; otherwise shows the error.
+    /// Returns whether the names of a new school's admin are valid. Shows the error if they are not.
     [[nodiscard]] bool areNamesFit();
 
     LoginMode m_door = LoginMode::Login;
@@ -120,8 +121,8 @@ private:
     QPushButton* m_go;
     QPushButton* m_other;
     QPushButton* m_guest;
-    QPushButton* m_change;  ///< of the user's own password
-    QLabel* m_said;         ///< the outcome of an operation that logged everybody out
+    QPushButton* m_change;  ///< the button that changes the user's own password
+    QLabel* m_said;         ///< the result of an operation that logged all users out
     std::function<QString()> m_saying;
     QLabel* m_unreachable;
     QPushButton* m_tryAgain;

@@ -21,17 +21,17 @@ constexpr double kPxPerMm = 11.0;
 constexpr int kTilePx = 46;
 constexpr int kPanelTilePx = 70;
 constexpr int kNumberPx = 18;
-constexpr int kBelowTipPx = 2;  ///< from the tip to the number, and as much above the shank
-/// Least length of the neck that is drawn above a head, mm.
+constexpr int kBelowTipPx = 2;  ///< gap between the tip and the number, and above the shank
+/// Length of the neck that is drawn above a head at least, mm.
 constexpr double kNeckSeenMm = 0.4;
-/// The shank of a diamond with the ring for its grit, above the neck.
+/// Lengths of a diamond bur's shank above the neck, and of its grit ring.
 constexpr double kShankPx = 13.0;
 constexpr double kRingPx = 5.0;
-constexpr double kBladePx = 4.0;     ///< from blade to blade
-constexpr double kBladeSlope = 0.6;  ///< of a groove: horizontal pixels per vertical pixel
+constexpr double kBladePx = 4.0;     ///< distance between blades
+constexpr double kBladeSlope = 0.6;  ///< slope of a groove: horizontal pixels per vertical pixel
 constexpr double kGrainPx = 2.0;
 
-/// Returns both halves of the head, with the tip at the origin and y negative upwards.
+/// Returns the outline of the head, both halves, with the tip at the origin. Negative y is upwards.
 QPainterPath headOf(const core::bur::Bur& bur)
 {
     QPainterPath path;
@@ -110,7 +110,7 @@ void BurTile::paintEvent(QPaintEvent*)
     painter.setBrush(isChecked() || underMouse() ? p.brush(QPalette::Midlight) : QBrush(Qt::NoBrush));
     painter.drawRoundedRect(frame, kit::kRadius, kit::kRadius);
     if (hasFocus()) {
-        // The ring of every other button, within the frame of the one that is chosen.
+        // The focus ring of all buttons; inside the frame of a checked one.
         painter.setPen(QPen(p.color(QPalette::Link), 2));
         painter.setBrush(Qt::NoBrush);
         painter.drawRoundedRect(isChecked() ? frame.adjusted(3, 3, -3, -3) : frame, kit::kRadius - 2, kit::kRadius - 2);
@@ -169,7 +169,7 @@ BurChooser::BurChooser(kit::Actions& actions, QWidget* parent)
     arrange();
 }
 
-/// Shows the tiles of the burs at hand and of the bur in use, in that order.
+/// Shows the tiles of the favourite burs, and of the bur in use if it is not among them.
 void BurChooser::arrange()
 {
     QList<int> wanted = m_actions.bursAtHand();

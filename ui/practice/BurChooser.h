@@ -36,7 +36,7 @@ private:
     int m_heightPx;
 };
 
-/// Shows the burs at hand side by side (Actions::bursAtHand()), then the bur in use if it is not among them, and a
+/// Shows the available burs side by side (Actions::bursAtHand()), then the bur in use if it is not among them, and a
 /// button that opens the bur picker.
 class BurChooser : public QWidget
 {

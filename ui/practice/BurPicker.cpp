@@ -239,7 +239,7 @@ void BurPicker::search(const QString& words)
     m_none->setVisible(shown().isEmpty());
 }
 
-/// Takes the bur whose number was typed in full, or else the first match.
+/// Selects the bur whose number was typed in full, otherwise the first match.
 void BurPicker::takeFound()
 {
     const QList<Cell> cells = shown();
@@ -287,7 +287,7 @@ void BurPicker::takeStar(int bur, bool isFavourite)
     m_actions.setFavouriteBurs(favourites);
 }
 
-/// Moves the focus by so many visible tiles.
+/// Moves the focus by a number of visible tiles.
 void BurPicker::step(int by)
 {
     const QList<Cell> cells = shown();
@@ -302,7 +302,7 @@ void BurPicker::step(int by)
         m_search->setFocus(Qt::TabFocusReason);
 }
 
-/// Gives the arrows one meaning wherever the focus is. Buttons would use them to go to the next button.
+/// Handles the arrow keys the same way wherever the focus is. Buttons would move the focus to the next button.
 bool BurPicker::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() != QEvent::KeyPress)

@@ -18,7 +18,7 @@ class ScrollPane;
 namespace ui::practice {
 
 /// Shows all burs over the view: pictures to scale, grouped by shape, with sizes and numbers; a search by number, size
-/// or shape; and a star for each favourite bur. Choosing a bur or pressing Esc closes it.
+/// or shape; and a star for each favourite bur. Choosing a bur or pressing Esc closes the picker.
 class BurPicker : public QFrame
 {
     Q_OBJECT

@@ -7,7 +7,7 @@ class QAction;
 
 namespace ui::practice {
 
-/// A large switch that shows whether the bur turns: filled when on, outlined when off, with its key beside it.
+/// A large switch that runs the bur: filled when on, outlined when off, with its shortcut beside it.
 class DrillSwitch : public QAbstractButton
 {
     Q_OBJECT

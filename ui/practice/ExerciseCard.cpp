@@ -74,7 +74,7 @@ ExerciseCard::ExerciseCard(QAction* grade, QWidget* parent) : QFrame(parent)
         line->setMinimumWidth(kNarrowWordsPx);
         words->addWidget(line);
     }
-    // Two lines of advice keep their place: progress must not move the tooth.
+    // Reserves two lines for advice, because progress must not move the tooth.
     m_advice->setMinimumHeight(m_advice->fontMetrics().size(0, QStringLiteral("M\nM")).height());
     m_grade = pageButton(grade, "filled", block);
     m_grade->setObjectName(QStringLiteral("exerciseGrade"));
@@ -87,7 +87,7 @@ ExerciseCard::ExerciseCard(QAction* grade, QWidget* parent) : QFrame(parent)
     row->addWidget(m_choices);
     text::bindTranslation(this, [this] {
         if (m_practised.index() != m_exercise.index())
-            return;  // not begun
+            return;  // the exercise has not begun
         sayTruth();
         showProgress();
     });
@@ -142,7 +142,7 @@ QWidget* ExerciseCard::makeChoices()
             choice->setProperty("kind", "segment");
             choice->setCheckable(true);
             choice->setAutoDefault(false);
-            // A click leaves the keys with the bur; Tab and the arrows come here.
+            // A click leaves the focus on the tooth view. Tab and the arrow keys reach the choices.
             choice->setFocusPolicy(Qt::TabFocus);
             text::bindTranslation(choice, [choice, pad, k] {
                 choice->setText(text::capitalised(text::materialName(kTissues[k])));
@@ -199,7 +199,7 @@ void ExerciseCard::begin(const Exercise& exercise)
 
 void ExerciseCard::setPractised(const Practised& practised)
 {
-    // An answer is shown when it is given, not only when the examiner has come to it.
+    // An answer is shown as soon as it is given, without waiting for the examiner's result.
     if (practised.index() != m_exercise.index() || m_isConcluded || m_hasChosen)
         return;
     m_practised = practised;
@@ -229,7 +229,7 @@ void ExerciseCard::conclude()
     m_isConcluded = true;
     if (std::holds_alternative<PadsToName>(m_exercise))
         for (QButtonGroup* pad : m_pads)
-            // What was not said makes room for what is true.
+            // Hides the answers that were not chosen, to make room for the truth.
             for (QAbstractButton* choice : pad->buttons()) {
                 choice->setEnabled(false);
                 choice->setVisible(choice->isChecked());
@@ -238,7 +238,7 @@ void ExerciseCard::conclude()
     showProgress();
 }
 
-/// Shows the truth for each pad, once the work is graded.
+/// Shows the true tissue of each pad after the work has been graded.
 void ExerciseCard::sayTruth()
 {
     int widest = 0;

@@ -22,9 +22,9 @@ namespace ui::practice {
 
 class HoldGauge;
 
-/// A card below the tooth during an exercise of the first lessons: the progress, the force against its band, or the
-/// choice of a tissue for each pad. When the exercise is complete, it offers grading. Low and wide, so that it leaves
-/// the tooth in view.
+/// A card below the tooth during an introductory exercise. It shows the progress, the force in relation to its band, or
+/// the choice of a tissue for each pad. When the exercise is complete, it offers grading. The card is low and wide, so
+/// that it does not cover the tooth.
 class ExerciseCard final : public QFrame
 {
     Q_OBJECT
@@ -34,12 +34,12 @@ public:
 
     /// Starts an exercise with no progress.
     void begin(const core::grading::Exercise& exercise);
-    /// Shows the progress that the examiner has measured.
+    /// Shows the progress as measured by the examiner.
     void setPractised(const core::grading::Practised& practised);
     [[nodiscard]] const core::grading::Practised& practised() const { return m_practised; }
     /// Updates the force and the drill. Call once per frame.
     void setServo(const core::servo::ServoState& servo);
-    /// Ends the exercise after grading: disables the choices and shows the right ones.
+    /// Ends the exercise after grading: disables the choices and shows the correct ones.
     void conclude();
     [[nodiscard]] bool isConcluded() const { return m_isConcluded; }
 
@@ -57,7 +57,7 @@ private:
     core::grading::Practised m_practised;
     bool m_drillIsOn = false;
     bool m_isConcluded = false;
-    bool m_hasChosen = false;  ///< the user has answered here: progress from outside no longer changes the choices
+    bool m_hasChosen = false;  ///< the user has answered here, so setPractised() no longer changes the choices
     QLabel* m_title = nullptr;
     QLabel* m_advice = nullptr;
     QWidget* m_hold = nullptr;

@@ -24,13 +24,13 @@ class HandControls : public QWidget
 {
     Q_OBJECT
 public:
-    /// @param view  the sliders set its hand and show what it is set to; must outlive this
+    /// @param view  the sliders show and change its pointer settings; must outlive this
     HandControls(tooth::ToothView& view, QWidget* parent);
 
-    /// Sets the depth stop for a lesson: switched on at this depth or, where it is not allowed, switched off and
-    /// disabled.
+    /// Sets the depth stop for a lesson. If it is allowed, switches it on at this depth; otherwise switches it off and
+    /// disables it.
     void begin(bool stopIsAllowed, double depthMm);
-    /// Returns whether the bur touches the tooth at the depth of the lesson.
+    /// Returns whether the bur touches the tooth at the lesson's depth.
     [[nodiscard]] bool isDeep(const core::servo::ServoState& servo) const;
     /// Sets the feed, and stores it for the next run of the program.
     void setFeed(double mmPerS);
@@ -45,7 +45,7 @@ private:
     void showHand();
 
     tooth::ToothView& m_view;
-    double m_depthMm = 0.0;  ///< of the lesson
+    double m_depthMm = 0.0;  ///< depth that the lesson requires
     QWidget* m_sliders;
     QLabel* m_device;
     QString m_deviceName;

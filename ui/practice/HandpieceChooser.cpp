@@ -24,7 +24,7 @@ HandpieceChooser::HandpieceChooser(const QList<QAction*>& actions, QWidget* pare
         button->setFont(kit::typeface(kit::kSmall, QFont::Medium));
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         m_row->addWidget(button);
-        // Once all buttons have their new words, or are there.
+        // Queued until all buttons exist and have their translated text.
         const auto later = [this] {
             QMetaObject::invokeMethod(this, &HandpieceChooser::arrange, Qt::QueuedConnection);
         };

@@ -9,7 +9,7 @@ class QBoxLayout;
 
 namespace ui::practice {
 
-/// The handpieces side by side, by name. A handpiece whose action is invisible is hidden.
+/// Shows the names of the handpieces side by side. A handpiece whose action is invisible is hidden.
 class HandpieceChooser : public QWidget
 {
     Q_OBJECT

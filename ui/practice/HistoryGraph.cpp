@@ -7,18 +7,18 @@
 namespace ui::practice {
 namespace {
 
-/// A line of moments. Each next one is the oldest that follows from the one before.
+/// A chain of moments, in which each one is the oldest child of the one before.
 struct Line
 {
     int parent = -1;
     std::vector<int> rows;
 };
 
-/// Returns the lines in the order of their first rows.
+/// Returns the chains, sorted by their first rows.
 std::vector<Line> linesOf(const std::vector<HistoryRow>& rows)
 {
     std::vector<Line> lines;
-    std::unordered_map<int, std::size_t> endsAt;  // row -> the line that it is the last of
+    std::unordered_map<int, std::size_t> endsAt;  // row -> the chain that ends with it
     for (int n = 0; n < static_cast<int>(rows.size()); ++n) {
         const int parent = rows[static_cast<std::size_t>(n)].parent;
         const auto line = endsAt.find(parent);
@@ -54,7 +54,7 @@ std::vector<HistoryRow> historyRows(std::span<const core::history::MomentInfo> m
         rowOf[static_cast<std::uint64_t>(moment.id)] = static_cast<int>(rows.size());
         rows.push_back(std::move(row));
     }
-    std::vector<int> taken;  // up to which row each lane is
+    std::vector<int> taken;  // last row that each lane is used for
     for (const Line& line : linesOf(rows)) {
         const int first = line.parent < 0 ? line.rows.front() : line.parent + 1;
         const int last = line.rows.back();

@@ -12,18 +12,18 @@ namespace ui::practice {
 struct HistoryRow
 {
     core::history::MomentInfo moment;
-    int parent = -1;  ///< row of the moment before it in its branch; -1: unknown
+    int parent = -1;  ///< row of the previous moment in its branch; -1: unknown
     int lane = 0;
-    /// Removed since the parent, mm³; negative if material was restored.
+    /// Volume removed since the parent, mm³. Negative if material was restored.
     core::terrain::PerMaterial takenMm3{};
     /// Lanes in which a line comes from the row above, and continues to the row below.
     std::vector<int> fromAbove;
     std::vector<int> toBelow;
 };
 
-/// Returns the rows of the undo history. The line that began first keeps its lane; a branch takes the first lane that
-/// is free from the row below its start to its own last row.
-/// @param moments  as listed by UndoTree::list
+/// Returns the rows of the undo history. The branch that began first keeps its lane. Another branch takes the first
+/// lane that is free from the row below its start to its own last row.
+/// @param moments  as returned by UndoTree::list
 [[nodiscard]] std::vector<HistoryRow> historyRows(std::span<const core::history::MomentInfo> moments);
 
 }  // namespace ui::practice

@@ -23,7 +23,7 @@
 
 namespace ui::practice {
 
-/// The rows of the history. The panel shows them; their words are for screen readers.
+/// The rows of the history. The panel paints them; their texts are for screen readers.
 class HistoryModel final : public QAbstractListModel
 {
 public:
@@ -54,7 +54,7 @@ using core::history::MomentId;
 constexpr int kPanelPx = 248;
 constexpr int kRowPx = HistoryPanel::kPicturePx + kSpace2;
 constexpr int kLanePx = 14;
-constexpr int kMostLanes = 5;  ///< further ones share the last
+constexpr int kMostLanes = 5;  ///< further branches share the last lane
 constexpr double kDotPx = 4.0;
 
 std::uint64_t number(MomentId id)
@@ -62,7 +62,7 @@ std::uint64_t number(MomentId id)
     return static_cast<std::uint64_t>(id);
 }
 
-/// Returns "1:07", or the words for the first moment.
+/// Returns the time of a moment as "1:07", or the words for the first moment.
 QString whenWords(const HistoryRow& row)
 {
     if (row.moment.tick == 0 && row.parent < 0)
@@ -72,7 +72,7 @@ QString whenWords(const HistoryRow& row)
     return text::duration(row.moment.seconds);
 }
 
-/// Returns the material that was removed most.
+/// Returns the words for the material of which most was removed.
 QString takenWords(const HistoryRow& row)
 {
     if (row.parent < 0 || row.moment.tick == 0)
@@ -86,7 +86,7 @@ QString takenWords(const HistoryRow& row)
         .arg(text::number(*most, 2), text::materialName(material));
 }
 
-/// Paints one moment: its place among the branches, its picture and its words.
+/// Paints one moment: its position among the branches, its picture and its text.
 class HistoryDelegate final : public QStyledItemDelegate
 {
 public:
@@ -290,7 +290,8 @@ const QImage* HistoryPanel::picture(MomentId id)
     return known;
 }
 
-/// Draws a moment on a thread of the pool. A picture for another tooth or palette is dropped.
+/// Draws the picture of a moment in the thread pool. Discards the picture if the tooth or the palette has changed
+/// meanwhile.
 void HistoryPanel::draw(MomentId id)
 {
     if (!m_tooth || !m_source.heights || m_underWay.contains(number(id)))
@@ -333,7 +334,7 @@ void HistoryPanel::placeIn(const QRect& area)
     m_area = area;
     const int width = std::min(kPanelPx, area.width() - 2 * kSpace2);
     m_list->setFixedHeight(std::max(1, m_model->rowCount()) * kRowPx);
-    // Without words that may fold (m_empty is hidden) a layout knows of no height for a width.
+    // While no word-wrapping label is visible (m_empty is hidden), a layout has no height for a width.
     layout()->activate();
     const int wanted =
         layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : layout()->totalSizeHint().height();

@@ -32,9 +32,9 @@ struct HistorySource
     std::function<std::vector<float>(core::history::MomentId)> heights;
 };
 
-/// Shows the undo history over the tooth: for each moment a small picture, its time and what was removed; branches side
-/// by side; the current moment marked. A click or Enter goes to a moment. Worker threads draw a picture when its row is
-/// first visible; the newest kMostPictures are cached, about 6 KB each.
+/// Shows the undo history over the tooth: for each moment a small picture, its time and the removed material. Branches
+/// are side by side, and the current moment is marked. A click or Enter goes to a moment. Worker threads draw a picture
+/// when its row is first visible. The newest kMostPictures are cached, about 6 KB each.
 class HistoryPanel final : public QFrame
 {
     Q_OBJECT
@@ -80,7 +80,7 @@ private:
     QLabel* m_empty;
     QCache<std::uint64_t, QImage> m_pictures{kMostPictures};
     QSet<std::uint64_t> m_underWay;
-    int m_drawing = 0;  ///< number of the current tooth and palette; a picture drawn for an older number is dropped
+    int m_drawing = 0;  ///< number of the current tooth and palette; pictures drawn for an older number are discarded
 };
 
 }  // namespace ui::practice

@@ -16,10 +16,10 @@ namespace {
 
 using namespace ui::kit;
 
-constexpr double kFollow = 0.25;  ///< of the way to the newest force, a frame
+constexpr double kFollow = 0.25;  ///< share of the distance to the newest force that the pointer moves in a frame
 constexpr double kBarTop = 14.0;
 constexpr double kBarHigh = 20.0;
-constexpr double kInPx = 10.0;  ///< of the bar from both ends, for the pointer
+constexpr double kInPx = 10.0;  ///< margin of the bar at both ends, for the pointer
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void HoldGauge::setForce(double newtons)
     update();
 }
 
-/// Returns the place of a force; the band is in the middle.
+/// Returns the x position of a force. The band is in the middle.
 double HoldGauge::placeOf(double newtons) const
 {
     const double share = std::clamp(newtons / (2.0 * m_asked.forceN), 0.0, 1.0);

@@ -7,7 +7,7 @@
 
 namespace ui::practice {
 
-/// A large gauge of a force and the band in which it is to be held. Smooths out trembling that is too fast for the eye.
+/// A large gauge of a force and the band in which the user must hold it. Smooths trembling that is too fast to see.
 class HoldGauge final : public QWidget
 {
     Q_OBJECT

@@ -135,7 +135,7 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
     row->addLayout(column, 1);
     connect(m_takeBack, &QPushButton::clicked, this, &InfractionCard::takeBack);
     connect(m_goOnButton, &QPushButton::clicked, this, &InfractionCard::goOn);
-    // A press on the tooth takes the keyboard; while the card is open, Enter stays with its button.
+    // A press on the tooth moves the focus. While the card is open, Enter must press its button.
     connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
         if (isVisible() && qobject_cast<const tooth::ToothView*>(now) != nullptr)
             setFocus();
@@ -182,10 +182,10 @@ void InfractionCard::tell(const core::grading::Infraction& infraction, bool canT
 void InfractionCard::placeIn(const QRect& area, const std::optional<QPointF>& bur)
 {
     const int width = std::min(kCardWidthPx, area.width() - 2 * kSpace2);
-    // One below the other where they do not stand side by side.
+    // Buttons that do not fit side by side are one below the other.
     const int beside = m_takeBack->sizeHint().width() + m_goOnButton->sizeHint().width() + kWarningIconPx + 4 * kSpace4;
     m_buttons->setDirection(beside <= width ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    layout()->activate();  // words that have just changed may take another line
+    layout()->activate();  // changed text may need another line
     resize(width, layout()->totalHeightForWidth(width));
     const QRect atFoot(QPoint(area.center().x() - width / 2, area.bottom() - kSpace6 - height()), size());
     move(kit::placeOffBur(bur, atFoot, QRect({atFoot.left(), area.top() + kBelowMessagePx}, size()))

@@ -13,20 +13,20 @@ class QPushButton;
 
 namespace ui::practice {
 
-/// Shown over the tooth when a rule of the lesson has been broken in practice: what happened and why it matters, with
-/// buttons to undo it or to continue. The bur is stopped meanwhile.
+/// A card over the tooth, shown when a rule of the lesson has been violated in practice. It says what happened and why
+/// it matters, and has buttons to undo or to continue. The bur is stopped while the card is visible.
 class InfractionCard final : public QFrame
 {
     Q_OBJECT
 public:
     explicit InfractionCard(QWidget* parent);
 
-    /// Shows an infraction.
-    /// @param canTakeBack  there is a stored moment before it
+    /// Shows a rule violation.
+    /// @param canTakeBack  a moment before it is stored, so it can be undone
     void tell(const core::grading::Infraction& infraction, bool canTakeBack);
-    /// Continues without undoing, like its button.
+    /// Continues without undoing, as the button does.
     void goOn();
-    /// Undoes, like its button. Returns false if the button is not available.
+    /// Undoes, as the button does. Returns false if the button is disabled.
     bool takeBack();
     /// Places the card at the bottom of `area`, or below its top if the card would cover the bur.
     void placeIn(const QRect& area, const std::optional<QPointF>& bur);
@@ -49,7 +49,7 @@ private:
     QPushButton* m_goOnButton = nullptr;
 };
 
-/// Returns the name of an infraction, such as "Pulp opened", with the value and its limit if there is one.
+/// Returns the name of a rule violation, such as "Pulp opened", with the value and its limit if there is one.
 [[nodiscard]] QString breachName(const core::grading::Infraction& infraction);
 /// Returns one sentence that says why the rule matters.
 [[nodiscard]] QString breachReason(core::grading::RuleViolation breach);

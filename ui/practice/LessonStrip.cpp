@@ -24,12 +24,12 @@ using namespace ui::kit;
 
 constexpr double kSecondsAMinute = 60.0;
 constexpr double kSoonS = 60.0;
-constexpr double kSomeMm3 = 0.01;        ///< more than the bur takes by accident
-constexpr double kDecayLeftMost = 0.01;  ///< share of the lesion
+constexpr double kSomeMm3 = 0.01;        ///< more than the bur removes by accident
+constexpr double kDecayLeftMost = 0.01;  ///< share of the lesion that may be left
 
 using core::guidance::Landmark;
 
-/// Returns whether each of lessons::Reached has been reached, in their order.
+/// Returns for each value of lessons::Reached, in their order, whether it has been reached.
 std::array<bool, ::lessons::kReachedCount> reachedOn(const core::terrain::PerMaterial& wholeMm3,
                                                      const core::terrain::PerMaterial& removedMm3, bool isDeep)
 {
@@ -89,7 +89,7 @@ LessonStrip::LessonStrip(QWidget* parent) : QFrame(parent)
     m_text->setWordWrap(true);
     m_text->setFont(typeface(kBody, QFont::Medium));
     m_text->setObjectName(QStringLiteral("lessonStep"));
-    // There is always room for two lines, so that the tooth does not move when a longer step is shown.
+    // Reserves two lines, so that the tooth does not move when a longer step is shown.
     m_text->setMinimumHeight(m_text->fontMetrics().size(0, QStringLiteral("M\nM")).height());
     m_hint = new QPushButton(this);
     text::bindTranslation(m_hint, [this] { m_hint->setText(tr("Hint")); });
@@ -161,7 +161,7 @@ void LessonStrip::follow(const core::terrain::PerMaterial& wholeMm3, const core:
     std::size_t step = m_step;
     while (step + 1 < m_lesson.steps.size() && m_lesson.steps[step].doneWhen &&
            reached.at(static_cast<std::size_t>(*m_lesson.steps[step].doneWhen))) {
-        // The bur is deep in one place: the next step that asks for it is done in another.
+        // The depth has been reached in one place. The next step that asks for depth is about another place.
         reached.at(static_cast<std::size_t>(::lessons::Reached::Depth)) = false;
         ++step;
     }
@@ -177,7 +177,7 @@ QString LessonStrip::stepWords() const
                        : tr("The decay is out. Press G for the score.");
 }
 
-/// Goes to a step. Each step begins without its hint.
+/// Goes to a step. The hint of each step is hidden at first.
 void LessonStrip::goTo(std::size_t step)
 {
     m_step = step;

@@ -29,19 +29,19 @@ public:
 
     /// Shows the first step of a lesson.
     void setLesson(const ::lessons::Lesson& lesson);
-    /// Shows what to do in practice without a lesson, which is on a tooth with decay.
+    /// Shows instructions for practice without a lesson, on a tooth with decay.
     void setPractice();
-    /// Adds marks for the place that the current step names, on a tooth with this ideal.
+    /// Adds marks for the places that the current step names, on a tooth with this ideal.
     void markPlaces(tooth::ExerciseMarks& marks, const core::terrain::ToothAnatomy& tooth,
                     const std::vector<float>& ideal) const;
-    /// Shows the next step if the bur has just reached what the current step asks for.
-    /// @param wholeMm3, removedMm3  volumes of the uncut tooth, and of what was removed, by material
-    /// @param isDeep  the bur is as deep as the lesson asks
+    /// Shows the next step if the current step has just been completed.
+    /// @param wholeMm3, removedMm3  volumes of the uncut tooth and of the removed material, by material
+    /// @param isDeep  the bur is at the depth that the lesson requires
     void follow(const core::terrain::PerMaterial& wholeMm3, const core::terrain::PerMaterial& removedMm3, bool isDeep);
-    /// Shows the working time, or what is left of the time of the lesson.
+    /// Shows the working time, or the remaining time of the lesson.
     /// @param workedS  seconds of this attempt so far
     void setTime(double workedS);
-    /// Sets whether another attempt at the exam is left after its grade.
+    /// Sets whether the student may attempt the exam again after its grade.
     void setMayBeginAgain(bool may);
     enum class Ending {
         WithScore,
@@ -51,7 +51,7 @@ public:
     void conclude(Ending ending);
 
 signals:
-    /// Emitted when a step is shown: another one, or the same again.
+    /// Emitted when a step is shown, also if it is the same step again.
     void stepShown();
 
 private:

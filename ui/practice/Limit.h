@@ -7,13 +7,13 @@
 
 namespace ui::practice {
 
-/// Distances to tissue that must stay at which a bur counts as near, and as touching, mm.
+/// Distances to tissue that must be preserved at which a bur counts as near, and as touching, mm.
 inline constexpr double kNearLimitMm = 0.3;
 inline constexpr double kAtLimitMm = 0.05;
 
-/// Returns the colour of a bur at this distance from tissue that must stay. The three colours differ in lightness as
-/// well as in hue.
-/// @param marginMm  empty: no limit is near; the result is invalid and the bur keeps its steel colour
+/// Returns the colour of a bur at this distance from tissue that must be preserved. The three colours differ in
+/// lightness as well as in hue.
+/// @param marginMm  empty: no limit is near; the result is invalid and the bur has its steel colour
 [[nodiscard]] inline QColor limitColour(const std::optional<double>& marginMm)
 {
     if (!marginMm)

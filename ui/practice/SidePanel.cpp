@@ -33,13 +33,13 @@ using core::terrain::Material;
 using lessons::ShownTarget;
 
 constexpr int kWidthPx = 272;
-constexpr double kRpmStep = 1000.0;  ///< finer says nothing
+constexpr double kRpmStep = 1000.0;  ///< a smaller change of speed is not shown
 constexpr int kSwatchPx = 18;
-/// Least interval between changes of words and digits. A faster change would make the last digit a blur.
+/// Least interval between changes of text and digits. Faster changes would blur the last digit.
 constexpr qint64 kWordsEveryMs = 80;
-/// A smaller force is friction, which a person does not notice.
+/// A smaller force is friction, which the user does not notice.
 constexpr double kSidewaysFromN = 0.15;
-/// In the air, a smaller force is the tremble of the bur (core::contact::BurVibration) and no push.
+/// In the air, a smaller force is vibration of the bur (core::contact::BurVibration) and not a push.
 constexpr double kTrembleN = 0.2;
 /// Distance to the pulp. Below the first a lining is needed, and below the second the pulp is harmed (docs/teeth.md,
 /// "Ideal preparations").
@@ -114,7 +114,7 @@ SidePanel::SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* par
     text::bindTranslation(this, [this] {
         retranslateUi();
         nameFigures();
-        // The newest figures come with the next frame.
+        // The newest figures arrive with the next frame.
         m_sinceWords.invalidate();
         setFigures({}, {}, {});
         m_sinceWords.invalidate();
@@ -146,7 +146,7 @@ void SidePanel::addFigures(QVBoxLayout* column, QWidget* content)
     column->addLayout(asked);
 }
 
-/// The volumes removed so far, tissue by tissue.
+/// Adds the figures for the volumes removed so far, one for each tissue.
 void SidePanel::addVolumes(QVBoxLayout* column, QWidget* content)
 {
     m_removedBlock = new QWidget(content);
@@ -189,8 +189,8 @@ void SidePanel::addVolumes(QVBoxLayout* column, QWidget* content)
     addMaterial(Material::Enamel, "enamelRemoved");
     addMaterial(Material::Dentin, "dentinRemoved");
     addMaterial(Material::Pulp, "pulpRemoved");
-    // The part of the removed enamel and dentin that the grade counts: it leaves out what lies vertically above the
-    // decay. A line of its own, because it is not another tissue.
+    // The part of the removed enamel and dentin that the grade counts. It excludes what is vertically above the decay.
+    // It is a line of its own, because it is not another tissue.
     volumes->addSpacing(kit::kSpace1);
     m_overcutWords = new QLabel(content);
     m_overcut = addVolume(nullptr, m_overcutWords, "overcut");
@@ -277,7 +277,7 @@ void SidePanel::setBlindfold(bool on)
     showFigures();
 }
 
-/// Shows the figures that are permitted and have a meaning now.
+/// Shows the figures that are permitted and have a value.
 void SidePanel::showFigures()
 {
     for (QWidget* telling : {m_material.block, m_removedBlock})
@@ -286,7 +286,7 @@ void SidePanel::showFigures()
     m_depth.block->setVisible(m_tellsDepth && tells);
     m_decay.block->setVisible(tells);
     m_overcutRow->setVisible(tells);
-    // A figure without a value is hidden and keeps its place, so that the other figures do not move.
+    // A figure without a value is hidden but keeps its space, so that the other figures do not move.
     const auto show = [](const Figure& figure, bool isTold, bool hasValue) {
         QSizePolicy policy = figure.block->sizePolicy();
         policy.setRetainSizeWhenHidden(isTold);
@@ -359,10 +359,10 @@ void SidePanel::setFigures(const core::servo::ServoState& servo, const core::ses
 
     const double decay = session.wholeMm3.at(at(Material::Caries));
     if (m_target != ShownTarget::Decay) {
-        // setGuide() tells
+        // setGuide() shows this figure
     } else if (decay > 0.0) {
         const double left = 100.0 * std::max(0.0, decay - session.removedMm3.at(at(Material::Caries))) / decay;
-        // Never "0 %" while some is left.
+        // Never shows "0 %" while some decay is left.
         setFigure(m_decay, left > 0.0 && left < 0.5 ? tr("< 1") : text::number(left, 0), QStringLiteral("%"));
     } else {
         setFigure(m_decay, dash(), {}, quiet);
@@ -383,7 +383,7 @@ void SidePanel::setFigures(const core::servo::ServoState& servo, const core::ses
 
 void SidePanel::showHealth(const core::servo::ServoState& servo)
 {
-    // The figure tells of a clamped force; a sentence would come and go many times a second.
+    // A clamped force is shown by the figure. A message would appear and vanish many times a second.
     QString health = text::healthText(servo.health & ~std::uint32_t{core::servo::kForceClamped});
     if (health.isEmpty() && servo.handpieceOnCrown && !servo.touching)
         health = tr("The handpiece touches the crown, so the bur cannot go deeper.");
@@ -436,7 +436,7 @@ void SidePanel::setGuide(const std::optional<double>& marginMm, const std::optio
         return;
     if (progress && progress->askedMm3 > 0.0) {
         const double left = 100.0 * progress->leftMm3 / progress->askedMm3;
-        // Never "0 %" while some is left.
+        // Never shows "0 %" while some is left.
         setFigure(m_decay, left > 0.0 && left < 0.5 ? tr("< 1") : text::number(left, 0), QStringLiteral("%"));
         m_overcut->setText(text::number(progress->beyondMm3, 2), QStringLiteral("mm³"));
     } else {

@@ -33,26 +33,27 @@ namespace ui::practice {
 class DrillSwitch;
 class HandControls;
 
-/// The panel beside the tooth: the drill switch, the controls of the pointer's hand, the live figures and the burs.
+/// The panel beside the tooth: the drill switch, the pointer controls, the live figures and the burs.
 class SidePanel : public QFrame
 {
     Q_OBJECT
 public:
-    /// @param view  the panel controls its hand; must outlive the panel
+    /// @param view  the panel controls its pointer settings; must outlive the panel
     SidePanel(kit::Actions& actions, tooth::ToothView& view, QWidget* parent);
 
-    /// Shows the newest figures. Call once per frame; text changes at a readable pace.
+    /// Shows the newest figures. Call once per frame. Text changes slowly enough to read.
     void setFigures(const core::servo::ServoState& servo, const core::session::SessionState& session,
                     const core::imaging::DepthReading& reading);
-    /// Sets the lesson, which decides what is shown about the work.
+    /// Sets the lesson, which determines the figures that are shown.
     /// @param lesson  null: practice without a lesson
     void setLesson(const lessons::Lesson* lesson);
-    /// Shows the distance from the bur to tissue that must stay, mm, and the progress against the ideal.
+    /// Shows the distance from the bur to tissue that must be preserved, mm, and the progress towards the ideal.
     /// @param marginMm, progress  empty: not shown
     void setGuide(const std::optional<double>& marginMm, const std::optional<core::guidance::Progress>& progress);
     /// Sets the palette of the discs beside the names of tissues.
     void setColours(render::Palette colours);
-    /// Sets whether the depth is shown, and whether the distance to the pulp is, which otherwise needs a radiograph.
+    /// Sets whether the depth is shown, and whether the distance to the pulp is. Without the latter, users need a
+    /// radiograph.
     void setTold(bool depth, bool pulp);
     /// Hides everything that names a tissue, for exercises in which tissues are recognised by feel.
     void setBlindfold(bool on);

@@ -108,7 +108,7 @@ StereoCard::StereoCard(QWidget* parent)
 
 void StereoCard::open(const render::Presentation& now, render::Stereo way)
 {
-    // Asked for again while it is open, it still knows the way back.
+    // If the card is already open, Cancel still restores the settings from before.
     if (isHidden()) {
         m_before = now;
         m_wayBefore = way;
@@ -128,7 +128,7 @@ void StereoCard::open(const render::Presentation& now, render::Stereo way)
 
 void StereoCard::cancel()
 {
-    // The way to the eyes first, which stays for the next time where stereo was off.
+    // Restores the stereo mode first. It stays for the next time even if stereo was off.
     emit changed(m_wayBefore, m_before.apart, m_before.convergence);
     emit changed(m_before.stereo, m_before.apart, m_before.convergence);
     emit done();

@@ -11,8 +11,8 @@ class QSlider;
 
 namespace ui::practice {
 
-/// Sets up the stereo picture in three steps, each with an instruction and a control: the stereo mode, the distance of
-/// the eyes, and the plane of the screen.
+/// Sets up the stereo picture in three steps, each with an instruction and a control: the stereo mode, the distance
+/// between the eyes, and the plane of the screen.
 class StereoCard : public QFrame
 {
     Q_OBJECT
@@ -35,7 +35,7 @@ private:
     QComboBox* m_mode;
     QSlider* m_apart;
     QSlider* m_convergence;
-    render::Presentation m_before;                         ///< from before open()
+    render::Presentation m_before;                         ///< settings before open()
     render::Stereo m_wayBefore = render::Stereo::RedCyan;  ///< the stereo mode before open()
 };
 

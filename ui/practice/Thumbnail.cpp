@@ -13,10 +13,10 @@ namespace {
 const glm::vec3 kLight = glm::normalize(glm::vec3(-0.5F, 0.6F, 0.8F));
 constexpr float kDark = 0.35F;
 constexpr float kTint = 0.45F;
-constexpr float kCutMm = 0.02F;  ///< less is a scratch
-constexpr int kFiner = 2;        ///< a side is drawn so many times as fine, against jags
+constexpr float kCutMm = 0.02F;  ///< a shallower cut is a scratch
+constexpr int kFiner = 2;        ///< each side is drawn with so many times the pixels, to avoid jagged edges
 
-/// Returns the slope at a node, or 0 where the tooth ends.
+/// Returns the slope at a node, or 0 at the edge of the tooth.
 float rise(const core::terrain::Grid& grid, std::span<const float> top, int i, int j, int di, int dj)
 {
     if (!grid.contains(i + di, j + dj) || !grid.contains(i - di, j - dj))

@@ -18,8 +18,8 @@ struct ThumbnailColours
     QRgb beside = 0;
 };
 
-/// Draws a tooth from above, shaded by slope and tinted where it was cut. Cheap, for lists; 16 bits per pixel. Any
-/// thread.
+/// Draws a tooth from above, shaded by slope and tinted where it was cut. It is fast enough for lists, and the image
+/// has 16 bits per pixel. Any thread.
 /// @param top  top map on the anatomy's grid, row by row, mm
 [[nodiscard]] QImage thumbnail(const core::terrain::ToothAnatomy& anatomy, std::span<const float> top, int sidePx,
                                const ThumbnailColours& colours);

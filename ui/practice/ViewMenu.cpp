@@ -24,7 +24,7 @@ constexpr double kMostApart = 0.1;
 constexpr double kNearest = 0.6;
 constexpr double kFarthest = 1.6;
 
-/// Limits the settings to what two eyes can bear, whatever a file contains.
+/// Limits the settings to values that are comfortable for two eyes, whatever the file contains.
 void keepInBounds(render::Presentation& how)
 {
     const auto bounded = [](double value, double low, double high, double otherwise) {
@@ -63,7 +63,7 @@ ViewMenu::ViewMenu(kit::Actions& actions, QWidget* window)
         action->setIconVisibleInMenu(false);
     }
     m_menu->addMenu(new kit::LanguageMenu(m_menu));
-    // Beside a drawing a check mark would shrink to a faint box around it.
+    // Beside an icon a check mark would shrink to a faint box around it.
     for (QAction* action : this->actions())
         action->setIconVisibleInMenu(false);
     read();
@@ -169,7 +169,7 @@ void ViewMenu::read()
     const auto isOn = [&](const char* key, bool otherwise = false) {
         return kit::recalled(kept, QLatin1String("view/") + QLatin1String(key), otherwise);
     };
-    m_actions.burLight->setChecked(isOn("light", true));  // as on every turbine of today
+    m_actions.burLight->setChecked(isOn("light", true));  // on by default, as on current turbines
     m_actions.depthColours->setChecked(isOn("depth"));
     m_actions.burColour->setChecked(isOn("margin"));
     m_actions.handPlace->setChecked(isOn("hand"));
@@ -191,14 +191,14 @@ void ViewMenu::read()
     take();
 }
 
-/// Stores the settings of the actions. The mirror is not stored: it is taken in hand anew each time.
+/// Stores the settings of the actions. The mirror is not stored: it is off at each start.
 void ViewMenu::take()
 {
     tooth::ViewSettings now = m_settings;
     now.look.burLight = m_actions.burLight->isChecked();
     now.look.isWet = m_actions.wetLook->isChecked();
     now.look.palette = m_actions.distinctColours->isChecked() ? render::Palette::Distinct : render::Palette::Natural;
-    // Of the two that colour the tooth the one that was chosen last.
+    // Only one of the two colourings can be on: the one chosen last.
     const bool belowOriginal = m_actions.depthColours->isChecked();
     const bool againstIdeal = m_actions.idealColours->isChecked();
     const bool wasAgainstIdeal = m_settings.look.depthColours == render::DepthColours::AgainstIdeal;

@@ -11,7 +11,7 @@ namespace {
 
 using core::settings::FeelPreset;
 
-/// Returns a name in quotes, with quotes doubled (RFC 4180).
+/// Returns the name in quotes, with quotes inside it doubled (RFC 4180).
 QByteArray quoted(const FeelPreset& preset)
 {
     return '"' + QByteArray::fromStdString(core::settings::labelOf(preset)).replace("\"", "\"\"") + '"';

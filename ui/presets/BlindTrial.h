@@ -11,8 +11,8 @@
 
 namespace ui::presets {
 
-/// A blind comparison of two presets behind the letters A and B. The letters are drawn again for each trial, so that a
-/// habit of answering "A" has no effect.
+/// A blind comparison of two presets named A and B. The names are assigned at random for each trial, so that a habit of
+/// answering "A" has no effect.
 class BlindTrial
 {
 public:
@@ -23,8 +23,8 @@ public:
         int first = 0;  ///< number of times that the first preset was chosen
         int second = 0;
         int neither = 0;
-        /// Probability that guessing gives a result at least this far from even: two-sided binomial without the trials
-        /// without a choice. 1 if there was no choice.
+        /// Probability that guessing gives a result at least this far from even: two-sided binomial, without the trials
+        /// that had no choice. 1 if there was no choice.
         double p = 1.0;
     };
 
@@ -32,13 +32,13 @@ public:
     BlindTrial(core::settings::FeelPreset first, core::settings::FeelPreset second, int trials, std::uint64_t seed);
 
     [[nodiscard]] int trials() const { return m_trials; }
-    /// Returns the number of the current trial, from 1; trials() + 1 when the comparison is over.
+    /// Returns the number of the current trial, from 1. Returns trials() + 1 when the comparison is over.
     [[nodiscard]] int trial() const { return static_cast<int>(m_answers.size()) + 1; }
     [[nodiscard]] bool isOver() const { return trial() > trials(); }
-    /// Returns the preset behind a letter in the current trial.
+    /// Returns the preset that has a letter in the current trial.
     [[nodiscard]] const core::settings::FeelPreset& behind(Answer letter) const;
     void answer(Answer said);
-    /// Ends the comparison early. The answers so far count.
+    /// Ends the comparison early. The answers so far are counted.
     void end() { m_trials = static_cast<int>(m_answers.size()); }
 
     [[nodiscard]] const core::settings::FeelPreset& first() const { return m_presets[0]; }
@@ -54,7 +54,7 @@ private:
     std::vector<Answer> m_answers;
 };
 
-/// Returns a preset with its numbers but without its name, so that users cannot tell what they feel.
+/// Returns a preset with its numbers but without its name, so that users cannot tell which preset they feel.
 [[nodiscard]] core::settings::FeelPreset veiled(core::settings::FeelPreset preset);
 [[nodiscard]] bool isVeiled(const core::settings::FeelPreset& preset);
 

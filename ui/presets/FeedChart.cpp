@@ -27,11 +27,11 @@ using core::settings::Substance;
 
 constexpr double kMostN = 2.0;
 constexpr double kToldN = 1.0;
-constexpr double kStepN = 0.1;  ///< of the arrow keys
+constexpr double kStepN = 0.1;  ///< step of the arrow keys
 constexpr int kPoints = 80;
-constexpr int kRows = 20;  ///< of a table
+constexpr int kRows = 20;  ///< rows of an exported table
 
-/// The lines of the chart. Pulp yields at a touch: its line would only flatten the others.
+/// The lines of the chart. Pulp is left out: it yields at a touch, and its line would flatten the others.
 struct Line
 {
     Substance substance;
@@ -39,15 +39,15 @@ struct Line
     QColor onDark;
     Qt::PenStyle inFiles;
 };
-/// After Okabe and Ito, each readable on its background. Figures distinguish them on the screen as well, and strokes in
-/// a file.
+/// Colours after Okabe and Ito, each readable on its background. On the screen the figures below distinguish the lines
+/// as well, and in a file their strokes do.
 const std::array<Line, 5> kLines{{{Substance::SoftCaries, "#8A4B00", "#E69F00", Qt::SolidLine},
                                   {Substance::FirmCaries, "#B5478A", "#CC79A7", Qt::DashLine},
                                   {Substance::Plastic, "#5B6770", "#A9B4BC", Qt::DashDotLine},
                                   {Substance::Dentin, "#00785A", "#2FBF98", Qt::DashDotDotLine},
                                   {Substance::Enamel, "#0060A8", "#56B4E9", Qt::SolidLine}}};
 
-/// Returns words on one line, in any script: Japanese text may break between any two characters.
+/// Returns text that stays on one line in any script. Japanese text may otherwise break between any two characters.
 QString unbroken(const QString& words)
 {
     static const QRegularExpression kBetweenSigns(
@@ -71,7 +71,7 @@ FeedChart::FeedChart(QWidget* parent) : WalkedChart(parent), m_words(new QLabel(
         say(sentence);
         kit::announce(*m_words);
     });
-    auto* row = new QHBoxLayout;  // beside the curves, which rise to the corner
+    auto* row = new QHBoxLayout;  // beside the curves, which rise towards the corner
     row->setSpacing(0);
     row->addWidget(view(), 1);
     row->addWidget(save, 0, Qt::AlignTop);
@@ -143,7 +143,7 @@ charts::Line FeedChart::lineOf(const FeelPreset& preset, Substance substance, in
     return line;
 }
 
-/// @param isShown  on the screen, where the figures below name the lines
+/// @param isShown  true on the screen, where the figures below name the lines
 charts::Chart FeedChart::chart(bool isShown) const
 {
     charts::Curve curve;

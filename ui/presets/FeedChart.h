@@ -9,8 +9,9 @@ class QLabel;
 
 namespace ui::presets {
 
-/// A chart of the speed at which the chosen bur sinks into each material over the push force, mm/s. Dashed: the preset
-/// that this one is based on. Shows the figures at the pointer or at the position of the arrow keys, and can be saved.
+/// A chart of the speed in mm/s at which the selected bur sinks into each material, against the push force. Dashed
+/// lines show the preset on which this one is based. The chart shows the figures at the pointer or at the position of
+/// the arrow keys, and can be exported.
 class FeedChart : public charts::WalkedChart
 {
     Q_OBJECT
@@ -18,12 +19,12 @@ public:
     explicit FeedChart(QWidget* parent);
 
     void setPreset(const core::settings::FeelPreset& preset, const core::settings::FeelPreset& was);
-    /// @param bur        into core::bur::burs()
-    /// @param handpiece  into core::settings::handpieces()
+    /// @param bur        index into core::bur::burs()
+    /// @param handpiece  index into core::settings::handpieces()
     void setTool(std::size_t bur, std::size_t handpiece = 0);
     /// Returns the figures in words: "At 1.0 N: enamel 0.8 mm/s, ...".
     [[nodiscard]] QString words(double newtons) const;
-    /// Returns the chart as it is saved: each curve named by its material.
+    /// Returns the chart for export. Each curve is named by its material.
     [[nodiscard]] charts::Chart chart() const { return chart(false); }
     [[nodiscard]] QSize minimumSizeHint() const override { return {300, 200}; }
 
@@ -36,7 +37,7 @@ private:
     void draw();
     void tell(double newtons);
     [[nodiscard]] charts::Chart chart(bool isShown) const;
-    /// Shows a sentence, and below it the figures at m_toldN.
+    /// Shows a sentence with the figures at m_toldN below it.
     void say(const QString& sentence);
     [[nodiscard]] charts::Line lineOf(const core::settings::FeelPreset& preset, core::settings::Substance substance,
                                       int points) const;

@@ -22,7 +22,7 @@ using namespace ui::kit;
 
 constexpr int kDecimals = 3;
 constexpr int kWideInputPx = 152;
-constexpr int kNamePx = 144;  ///< longer ones have more lines
+constexpr int kNamePx = 144;  ///< longer names wrap
 
 QLabel* head(Qt::Alignment side, QWidget* parent)
 {
@@ -113,7 +113,7 @@ void PresetTable::setPreset(const core::settings::FeelPreset& preset)
     m_isQuiet = false;
 }
 
-/// Reports only the number that was changed: others keep the decimals that are not shown.
+/// Reports only the number that was changed. Others keep their decimals, which the fields do not show.
 void PresetTable::tell()
 {
     if (m_isQuiet)

@@ -38,13 +38,13 @@ using namespace ui::kit;
 constexpr int kListPx = 250;
 constexpr int kNarrowListPx = 180;
 constexpr int kRowPx = 48;
-constexpr int kHighRowPx = 66;  ///< of three lines
-/// In a narrower page the chart is below the numbers. There, and in a lower page, the parts without room scroll.
+constexpr int kHighRowPx = 66;  ///< height of three lines
+/// Width below which the chart is below the numbers. On such a page, or a low one, parts without enough room scroll.
 constexpr int kNarrowestChartPx = 1000;
 constexpr int kLowestPx = 560;
 constexpr int kLowestChartPx = 240;
 constexpr int kTablePx = 600;
-constexpr int kBesidePx = 110;  ///< margins and what scrolls, beside the list and the numbers
+constexpr int kBesidePx = 110;  ///< width of margins and scroll bars beside the list and the numbers
 constexpr int kOtherPx = 240;
 constexpr int kUsualTrials = 8;
 constexpr int kMostTrials = 40;
@@ -59,7 +59,7 @@ bool isSameVersion(const FeelPreset& a, const FeelPreset& b)
     return a.name == b.name && a.version == b.version;
 }
 
-/// Compares two presets without name, version and hash.
+/// Compares two presets except for name, version and hash.
 bool isSameFeel(FeelPreset a, const FeelPreset& b)
 {
     a.name = b.name;
@@ -68,8 +68,8 @@ bool isSameFeel(FeelPreset a, const FeelPreset& b)
     return a == b;
 }
 
-/// Enables a button. When it is disabled, the list gets the focus: on the next button a second Space would act by
-/// mistake.
+/// Enables or disables a button. A disabled button passes the focus to the list, not to the next button, which a second
+/// press of Space would trigger by mistake.
 void enable(QPushButton* button, bool may, QWidget* list)
 {
     if (!may && button->window()->focusWidget() == button)
@@ -96,7 +96,7 @@ PresetsPage::PresetsPage(const Actions& actions, QWidget* parent) : Page(actions
     body()->addLayout(row, 1);
     text::bindTranslation(this, [this] {
         setTitle(tr("Hardness presets"));
-        setFault({});  // its words are in the previous language
+        setFault({});  // its text is in the previous language
         fill();
         tell();
     });
@@ -191,7 +191,7 @@ QWidget* PresetsPage::makeDetails()
     return side;
 }
 
-/// Makes name, notes, numbers and feed.
+/// Makes the part with name, notes, numbers and feed chart of a preset.
 QWidget* PresetsPage::makePreset(QWidget* parent)
 {
     auto* side = new QWidget(parent);
@@ -253,7 +253,7 @@ QWidget* PresetsPage::makePreset(QWidget* parent)
     return new ScrollPane(side, QPalette::Window, parent);
 }
 
-/// The name, version and notes of a preset.
+/// Adds the name, version and notes of a preset.
 void PresetsPage::addHead(QVBoxLayout* column, QWidget* side)
 {
     auto* head = new QHBoxLayout;
@@ -293,7 +293,7 @@ void PresetsPage::addHead(QVBoxLayout* column, QWidget* side)
     });
 }
 
-/// The numbers of a preset, simple or all, and the chart of its feed.
+/// Adds the numbers of a preset, as simple sliders or as a table, and its feed chart.
 void PresetsPage::addNumbers(QVBoxLayout* column, QWidget* side)
 {
     m_middle = new QBoxLayout(QBoxLayout::LeftToRight);
@@ -310,7 +310,7 @@ void PresetsPage::addNumbers(QVBoxLayout* column, QWidget* side)
     m_ways->addWidget(new ScrollPane(m_table, QPalette::Window, m_ways));
     m_ways->setMaximumWidth(kTablePx);
     m_chart = new FeedChart(side);
-    m_middle->addWidget(m_ways, 5);  // with its help in two lines it fits a window of 1280 by 800
+    m_middle->addWidget(m_ways, 5);  // with its help in two lines, fits a window of 1280 by 800
     m_middle->addWidget(m_chart, 3);
     column->addLayout(m_middle, 1);
     connect(m_simple, &SimplePanel::changed, this, &PresetsPage::take);
@@ -362,7 +362,7 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
 
 void PresetsPage::setPresets(std::vector<lessons::ReadPreset> all, const FeelPreset& inUse)
 {
-    // Whoever has looked at nothing else is shown what teeth feel like here: at a login that is another.
+    // Follows a change of the preset in use, as at a login, unless the user is viewing another preset.
     const bool follows =
         m_all.empty() || (!isChanged() && isSameVersion(m_base, m_inUse) && !isSameVersion(m_inUse, inUse));
     m_all = std::move(all);
@@ -403,10 +403,10 @@ void PresetsPage::fill()
             //: A hardness preset that nobody is offered any more
             standing << tr("retired");
         QStringList lines{nameOf(*read.preset), tr("version %1").arg(read.preset->version)};
-        if (!standing.isEmpty())  // behind the version there is room for it in English alone
+        if (!standing.isEmpty())  // beside the version, only English would fit
             lines << standing.join(QStringLiteral(" · "));
         auto* item = new QListWidgetItem(lines.join(u'\n'), m_list);
-        item->setSizeHint({0, standing.isEmpty() ? kRowPx : kHighRowPx});  // as wide as the list is
+        item->setSizeHint({0, standing.isEmpty() ? kRowPx : kHighRowPx});  // the width is that of the list
         item->setToolTip(brokenIntoLines((QStringList(text::presetWords(*read.preset)) + standing).join(u" · ")));
         if (isSameVersion(*read.preset, m_base))
             m_list->setCurrentItem(item);
@@ -418,7 +418,8 @@ void PresetsPage::fill()
     m_other->setCurrentIndex(m_other->findText(other));
 }
 
-/// Offers another version to compare: the one that was changed, or else the first with a different feel.
+/// Selects another version to compare: the one that the draft is based on if changed, otherwise the first one with a
+/// different feel.
 void PresetsPage::offerOther()
 {
     const auto at = [this](int row) -> const FeelPreset& {
@@ -445,7 +446,7 @@ void PresetsPage::select(const FeelPreset& preset)
         show(preset);
 }
 
-/// The user chooses another version in the list.
+/// Handles the selection of another version in the list.
 void PresetsPage::choose(const FeelPreset& preset)
 {
     if (isSameVersion(preset, m_base))
@@ -454,7 +455,7 @@ void PresetsPage::choose(const FeelPreset& preset)
         show(preset);
         return;
     }
-    // The list has not selected the row yet that was clicked.
+    // Queued, because the list has not selected the clicked row yet.
     QMetaObject::invokeMethod(
         this,
         [this, preset] {
@@ -464,7 +465,7 @@ void PresetsPage::choose(const FeelPreset& preset)
         Qt::QueuedConnection);
 }
 
-/// Marks the shown preset in the list.
+/// Selects the row of the shown preset in the list.
 void PresetsPage::markShown()
 {
     const QSignalBlocker quiet(m_list);
@@ -501,7 +502,7 @@ void PresetsPage::setDraft(const FeelPreset& preset)
     write(preset);
 }
 
-/// Takes the numbers only: the words have their own fields.
+/// Applies only the numbers of a preset. Name and notes have fields of their own.
 void PresetsPage::take(const FeelPreset& preset)
 {
     FeelPreset next = preset;
@@ -547,7 +548,7 @@ bool PresetsPage::isRetired() const
     });
 }
 
-/// Returns whether a preset may be retired: it must not be in use or shipped, in any version.
+/// Returns whether the preset may be retired. No version of it may be in use or shipped.
 bool PresetsPage::mayBeRetired() const
 {
     const auto isNamedSo = [this](const FeelPreset& preset) { return preset.name == m_base.name; };
@@ -555,8 +556,8 @@ bool PresetsPage::mayBeRetired() const
     return !isNamedSo(m_inUse) && std::none_of(shipped.begin(), shipped.end(), isNamedSo);
 }
 
-/// Returns the presets that the sliders may start from: the shipped one, then its own versions, oldest first. So a
-/// version is as far from its origin as all changes together, however often it was saved on the way.
+/// Returns the presets that the sliders may start from: the shipped ones, then the school's own versions, oldest first.
+/// The distance of a version from its origin is then the sum of all its changes, however often it was saved in between.
 std::vector<FeelPreset> PresetsPage::origins() const
 {
     std::vector<FeelPreset> all = lessons::shippedPresets();
@@ -566,7 +567,7 @@ std::vector<FeelPreset> PresetsPage::origins() const
             all.push_back(*read.preset);
     std::sort(all.begin() + ownFrom, all.end(),
               [](const FeelPreset& a, const FeelPreset& b) { return a.version < b.version; });
-    all.push_back(m_base);  // perhaps on no shelf
+    all.push_back(m_base);  // may not be in the list
     return all;
 }
 
@@ -620,15 +621,15 @@ void PresetsPage::resizeEvent(QResizeEvent* event)
     fit();
 }
 
-/// Fits the page. With large text a window has as little room as a small one: then the numbers and the chart keep their
-/// heights, and all of it scrolls.
+/// Fits the page to its size. If the window is small or the text large, the numbers and the chart keep their heights,
+/// and the page scrolls.
 void PresetsPage::fit()
 {
     const bool isWide = width() >= kNarrowestChartPx;
     const bool isSmall = !isWide || height() < kLowestPx;
     const QWidget* numbers = static_cast<QScrollArea*>(m_ways->currentWidget())->widget();
     m_middle->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    // Perhaps a little wider than this; then their words have fewer lines, and some room is left.
+    // The actual width may be slightly larger; then the text has fewer lines and some space is left.
     const int across = std::min(kTablePx, width() - kNarrowListPx - kBesidePx);
     m_ways->setMinimumHeight(isSmall ? std::max(numbers->sizeHint().height(), numbers->heightForWidth(across)) : 0);
     m_chart->setMinimumHeight(isSmall ? kLowestChartPx : 0);

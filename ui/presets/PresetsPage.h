@@ -24,31 +24,31 @@ class FeedChart;
 class PresetTable;
 class SimplePanel;
 
-/// The page of hardness presets with all their versions. One of them can be viewed, tried, changed and saved as a new
-/// version. The page emits a signal for all access to files and to the servo.
+/// The page of hardness presets with all their versions. A preset can be viewed, tried, changed and saved as a new
+/// version. The page emits a signal for every access to files and to the servo.
 class PresetsPage : public kit::Page
 {
     Q_OBJECT
 public:
     PresetsPage(const kit::Actions& actions, QWidget* parent);
 
-    /// Sets the stored presets. Unsaved changes stay.
+    /// Sets the stored presets. Keeps unsaved changes.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
-    /// Shows a version, unless the user has changed another.
+    /// Shows a version, unless the user has unsaved changes to another.
     void select(const core::settings::FeelPreset& preset);
-    /// Takes over the changes from a trial, or the preset that the console loaded.
+    /// Applies the changes made in a trial, or the preset that the console loaded.
     void setDraft(const core::settings::FeelPreset& preset);
-    /// Shows an error beside the buttons, its second line in smaller type; empty: no error.
+    /// Shows an error beside the buttons, with its second line in smaller type. Empty: no error.
     void setFault(const QString& sentence);
 
-    /// Sets whether the user may save and import versions and put them to use. Otherwise the page is read-only, with
-    /// trials.
+    /// Sets whether the user may save and import versions and put them into use. If not, the page is read-only, except
+    /// for trials.
     void setMayKeep(bool may);
 
-    /// Sets whether the user may retire presets and sees retired ones.
+    /// Sets whether the user may retire presets and can see retired ones.
     void setMayRetire(bool may);
 
-    /// Describes a changed preset that the user may save and has not; empty: none.
+    /// Returns a description of the unsaved changes, if the user may save them. Empty if there are none.
     [[nodiscard]] QString unsavedChanges() const;
     /// Discards the changes and shows the version in use.
     void discardChanges();
@@ -57,15 +57,15 @@ public:
     [[nodiscard]] const std::vector<lessons::ReadPreset>& all() const { return m_all; }
 
 signals:
-    /// Emitted when the user asks to try a preset, perhaps unsaved, with the version that it is based on.
+    /// Emitted when the user requests a trial of a preset, which may be unsaved, with the version that it is based on.
     void tryRequested(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset);
     void compareRequested(const core::settings::FeelPreset& first, const core::settings::FeelPreset& second,
                           int trials);
-    /// Emitted when the user asks to save a new version under the preset's name.
+    /// Emitted when the user requests to save a new version under the preset's name.
     void saveRequested(const core::settings::FeelPreset& preset);
-    /// Emitted when the user puts a preset to use for all teeth whose lesson has none of its own.
+    /// Emitted when the user puts a preset into use for all teeth whose lesson has no preset of its own.
     void useRequested(const core::settings::FeelPreset& preset);
-    /// Emitted when the user asks to retire a preset in all its versions, or to offer it again.
+    /// Emitted when the user requests to retire a preset in all its versions, or to restore it.
     void retireRequested(const QString& name, bool isRetired);
     void importRequested();
     void exportRequested(const core::settings::FeelPreset& preset);
@@ -104,7 +104,7 @@ private:
 
     bool m_mayKeep = true;
     bool m_mayRetire = false;
-    bool m_otherIsChosen = false;  ///< the preset to compare with was chosen by the user
+    bool m_otherIsChosen = false;  ///< the user has selected the preset to compare with
 
     QWidget* m_side = nullptr;  ///< contains the list
     QListWidget* m_list = nullptr;

@@ -13,9 +13,9 @@ using core::settings::FeelPreset;
 using core::settings::Substance;
 using Field = core::NumberField<FeelPreset>;
 
-constexpr double kFarthest = 4.0;      ///< times a rate or a threshold
-constexpr double kStiffest = 2.0;      ///< times the stiffness
-constexpr double kWithinBound = 0.99;  ///< of it
+constexpr double kFarthest = 4.0;      ///< largest factor of a rate or a threshold
+constexpr double kStiffest = 2.0;      ///< largest factor of the stiffness
+constexpr double kWithinBound = 0.99;  ///< share of the stability limit
 constexpr double kThousandths = 1000.0;
 
 void scale(FeelPreset& preset, const Field& field, double factor)
@@ -52,7 +52,7 @@ FeelPreset turned(const FeelPreset& base, const Dials& dials)
     if (const double wall = dial(Dial::Wall); wall != 0.0) {
         const double most = kWithinBound * core::settings::stabilityBound(preset).stiffnessNPerMm;
         const double wanted = base.stiffnessNPerMm * std::pow(kStiffest, wall);
-        // One that is beyond the bound already is not stiffened.
+        // A preset that exceeds the limit already is not made stiffer.
         preset.stiffnessNPerMm =
             std::round(std::min(wanted, std::max(most, std::min(wanted, base.stiffnessNPerMm))) * kThousandths) /
             kThousandths;
@@ -65,7 +65,7 @@ FeelPreset turned(const FeelPreset& base, const Dials& dials)
 
 std::optional<Dials> dialsFor(const FeelPreset& base, const FeelPreset& preset)
 {
-    // Each dial has numbers of its own, so that each finds its stop alone.
+    // Each dial changes numbers of its own, so the dials can be found one after the other.
     Dials found{};
     for (double& dial : found) {
         double best = 0.0;

@@ -47,7 +47,7 @@ SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent), m_middle(quiet(this
         auto* slider = new QSlider(Qt::Horizontal, this);
         slider->setRange(-kDialSteps, kDialSteps);
         slider->setPageStep(kDialSteps / 4);
-        // Who scrolls past a dial turns nothing.
+        // The wheel must not turn a dial that the user scrolls past.
         slider->setFocusPolicy(Qt::StrongFocus);
         kit::bindToForm(slider);
         slider->setObjectName(QStringLiteral("dial%1").arg(k));
@@ -92,7 +92,7 @@ void SimplePanel::setPreset(const std::vector<core::settings::FeelPreset>& bases
     m_base = preset;
     for (const core::settings::FeelPreset& base : bases)
         if (dials = dialsFor(base, preset); dials) {
-            // One that is the same under another name is its own middle.
+            // A preset with the same numbers under another name is its own origin.
             if (std::any_of(dials->begin(), dials->end(), [](double dial) { return std::abs(dial) > 1e-9; }))
                 m_base = base;
             break;
@@ -105,7 +105,7 @@ void SimplePanel::setPreset(const std::vector<core::settings::FeelPreset>& bases
     }
 }
 
-/// Says which preset the sliders start from: otherwise their middle has no meaning.
+/// Says which preset the sliders start from, without which their middle has no meaning.
 void SimplePanel::say()
 {
     //: Of sliders. %1 is a hardness preset

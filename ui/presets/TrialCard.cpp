@@ -31,15 +31,15 @@ constexpr int kHighestChartPx = 460;
 constexpr int kLowestTrialPx = 200;
 constexpr double kHardlyChance = 0.05;
 
-/// Blocks for every row of a preset. Enamel, dentin and soft decay are side by side in the block, and the others take
-/// their places.
+/// Practice blocks that together cover all numbers of a preset. Enamel, dentin and soft decay are side by side in the
+/// first block. The other blocks replace them.
 constexpr std::array<core::settings::ToothKind, 3> kBlocks{{
     {},
     {false, core::settings::DecayKind::Firm},
     {true},
 }};
 
-/// Returns what the answers are worth, for a reader without statistics.
+/// Explains the significance of the answers to a reader without knowledge of statistics.
 QString chanceWords(double p)
 {
     const int times = std::max(1, static_cast<int>(std::lround(100.0 * p)));
@@ -58,7 +58,7 @@ QPushButton* trialButton(const char* kind, const char* name, QWidget* parent)
     auto* made = new QPushButton(parent);
     made->setProperty("kind", kind);
     made->setObjectName(QLatin1String(name));
-    made->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys with the tooth
+    made->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus on the tooth view
     return made;
 }
 
@@ -107,7 +107,7 @@ TrialCard::TrialCard(QWidget* parent)
     column->addWidget(m_title);
     column->addWidget(m_words);
     column->addWidget(m_blockChoice);
-    // In a low window, or with large text, the chart lies below the dials and comes by scrolling.
+    // In a low window, or with large text, the chart is below the dials and can be scrolled to.
     auto* tuning = new QVBoxLayout(m_tuning);
     tuning->setContentsMargins(0, 0, 0, 0);
     tuning->setSpacing(kSpace2);
@@ -135,7 +135,7 @@ TrialCard::TrialCard(QWidget* parent)
     hide();
 }
 
-/// The buttons that say which preset is held, and which of the two feels more like a tooth.
+/// Makes the buttons that choose the preset to feel, and those that say which of the two feels more like a tooth.
 void TrialCard::makeAnswers()
 {
     auto* letters = new QHBoxLayout(m_letters);
@@ -210,7 +210,7 @@ void TrialCard::takeBlock()
 void TrialCard::tune(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset)
 {
     m_trial.reset();
-    if (isHidden()) {  // else the console has turned it
+    if (isHidden()) {  // otherwise the console has changed the preset
         m_asItWas = dialsFor(base, preset) ? base : preset;
         m_block->setCurrentIndex(0);
     }
@@ -256,7 +256,7 @@ void TrialCard::turn(const core::settings::FeelPreset& preset)
     emit felt(preset);
 }
 
-/// Draws the feed that the dials result in.
+/// Shows the feed curve of the numbers that the dials set.
 void TrialCard::draw()
 {
     m_title->setText(text::presetWords(*m_tuned));
@@ -302,7 +302,7 @@ void TrialCard::say()
     setAccessibleName(m_title->text());
 }
 
-/// Begins with an uncut block.
+/// Begins again with an uncut block.
 void TrialCard::beginAnew()
 {
     m_cutMm3 = std::numeric_limits<double>::max();
@@ -324,7 +324,7 @@ void TrialCard::answer(Answer said)
     m_trial->answer(said);
     beginAnew();
     if (m_trial->isOver()) {
-        emit felt(m_trial->behind(m_held));  // no secret any more
+        emit felt(m_trial->behind(m_held));  // no longer hidden after the trial
         return;
     }
     emit freshBlockRequested();
@@ -335,7 +335,7 @@ void TrialCard::end()
 {
     m_trial->end();
     say();
-    m_back->setFocus();  // it has come to where the other was
+    m_back->setFocus();  // it is now where the other button was
     emit felt(m_trial->behind(m_held));
 }
 

@@ -16,8 +16,8 @@ namespace ui::presets {
 class FeedChart;
 class SimplePanel;
 
-/// A card beside the tooth while a preset is tried on a block: its dials, with immediate effect, and the resulting
-/// feed; or a blind comparison of two presets "A" and "B".
+/// A card beside the tooth while a preset is tried on a practice block. It shows the preset's dials, which take effect
+/// at once, and the resulting feed; or a blind comparison of two presets "A" and "B".
 class TrialCard : public QFrame
 {
     Q_OBJECT
@@ -28,23 +28,23 @@ public:
     /// @param base  the version that `preset` is based on
     void tune(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset);
     void compare(const BlindTrial& trial);
-    /// Returns the preset as it is turned now; empty in a comparison.
+    /// Returns the preset as set by the dials. Empty in a comparison.
     [[nodiscard]] std::optional<core::settings::FeelPreset> tuned() const;
     /// Returns whether a comparison is running. Its values must stay hidden.
     [[nodiscard]] bool isComparing() const { return m_trial && !m_trial->isOver(); }
     /// Returns the version that the preset is based on.
     [[nodiscard]] const core::settings::FeelPreset& base() const { return m_base; }
-    /// @param bur        in use, into core::bur::burs()
-    /// @param handpiece  into core::settings::handpieces()
-    /// @param cutMm3     volume cut from the block so far; an answer is possible after cutting with both presets
+    /// @param bur        the bur in use, index into core::bur::burs()
+    /// @param handpiece  index into core::settings::handpieces()
+    /// @param cutMm3     volume cut from the block so far; the user can answer after cutting with both presets
     void follow(std::size_t bur, std::size_t handpiece, double cutMm3);
 
 signals:
-    /// Emitted when this preset is to be felt; in a comparison it is veiled().
+    /// Emitted when this preset must take effect. In a comparison it is veiled().
     void felt(const core::settings::FeelPreset& preset);
     /// Emitted when the user chooses the material of the block; felt() follows.
     void blockChosen(const core::settings::ToothKind& kind);
-    /// Emitted when the block is to be restored for another trial.
+    /// Emitted when the block must be restored for another trial.
     void freshBlockRequested();
     /// Emitted when the user returns to the page of presets.
     void done();
@@ -79,7 +79,7 @@ private:
     QPushButton* m_end;
     QPushButton* m_back;
     core::settings::FeelPreset m_base;
-    core::settings::FeelPreset m_asItWas;  ///< before any change in this trial
+    core::settings::FeelPreset m_asItWas;  ///< the preset before any change in this trial
     std::optional<core::settings::FeelPreset> m_tuned;
     std::optional<BlindTrial> m_trial;
     BlindTrial::Answer m_held = BlindTrial::Answer::A;

@@ -101,7 +101,7 @@ void ArchRenderer::drawRoom(glm::vec2 sizePx, glm::vec2 lamp)
 void ArchRenderer::draw(const ArchScene& scene)
 {
     glEnable(GL_MULTISAMPLE);
-    // Only what fades is blended. Alpha of the picture stays one: it is laid over a window.
+    // Blends only pieces that fade. The picture's alpha stays 1, because it is composited over a window.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     if (m_fades)
         glEnable(GL_BLEND);
@@ -124,7 +124,7 @@ void ArchRenderer::draw(const ArchScene& scene)
     const int sceneFromPiece = m_program.uniformLocation("sceneFromPiece");
     const int highlight = m_program.uniformLocation("highlight");
     const glm::dmat4 clipFromScene = scene.clipFromEye * scene.eyeFromScene;
-    // A mirror or a picture turned over for a half-silvered one turns every triangle over.
+    // A mirror, or a picture flipped for a half-silvered mirror, reverses the winding of every triangle.
     const double handed =
         glm::determinant(glm::dmat3(scene.eyeFromScene)) * scene.clipFromEye[0][0] * scene.clipFromEye[1][1];
     for (const ArchPiece& piece : m_pieces) {
@@ -136,7 +136,7 @@ void ArchRenderer::draw(const ArchScene& scene)
         const bool chosen = piece.tooth && piece.fdi == scene.chosenFdi;
         const bool hovered = piece.tooth && piece.fdi == scene.hoveredFdi;
         m_program.setUniformValue(highlight, chosen ? 1.0F : 0.0F, hovered ? 1.0F : 0.0F);
-        // A tooth is closed; the gum is a sheet, its back seen from where no dentist stands.
+        // A tooth is a closed mesh. The gum is an open sheet, whose back is visible from below.
         if (piece.tooth)
             glEnable(GL_CULL_FACE);
         else
@@ -190,7 +190,7 @@ int toothMet(std::span<const ArchPiece> pieces, const Ray& ray)
     double nearest = std::numeric_limits<double>::infinity();
     int fdi = 0;
     for (const ArchPiece& piece : pieces) {
-        // Places turn and mirror but do not scale: distances are the same in the piece's frame.
+        // Placements rotate and mirror but do not scale, so distances are the same in the piece's frame.
         const glm::dmat4 back = glm::inverse(piece.place);
         const Ray inPiece{glm::dvec3(back * glm::dvec4(ray.originMm, 1.0)),
                           glm::dvec3(back * glm::dvec4(ray.direction, 0.0))};

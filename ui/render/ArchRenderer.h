@@ -30,10 +30,10 @@ struct ArchScene
     glm::dmat4 clipFromEye{1.0};
     glm::dvec3 eyeMm{0.0, 0.0, 40.0};
     glm::vec3 towardsLight{0.0F, 0.0F, 1.0F};
-    glm::vec3 towardsSky{0.0F, 0.0F, 1.0F};  ///< direction in which the room is brightest
+    glm::vec3 towardsSky{0.0F, 0.0F, 1.0F};  ///< direction of the brightest part of the room
     int hoveredFdi = 0;                      ///< drawn a little lighter
     int chosenFdi = 0;                       ///< tinted
-    glm::dvec4 clipPlane{0.0};               ///< scene frame; everything behind it is not drawn; zero: no plane
+    glm::dvec4 clipPlane{0.0};               ///< scene frame; nothing behind it is drawn; zero: no plane
     double dimmed = 0.0;                     ///< 0 to 1: how much the pieces are dimmed, behind other content
 };
 
@@ -45,8 +45,8 @@ public:
     ArchRenderer();
     ~ArchRenderer() override;
 
-    /// Compiles the shaders. Returns false if the context has no OpenGL 3.3 or refuses a shader, with the cause in
-    /// `reason`.
+    /// Compiles the shaders. Returns false if the context has no OpenGL 3.3 or rejects a shader, and writes the cause
+    /// to `reason`.
     [[nodiscard]] bool initialize(QString& reason);
 
     /// Sets the pieces for draw(). Uploads each mesh once, however often it is used.
@@ -56,8 +56,8 @@ public:
     /// Draws the empty practice room over the whole viewport and clears the depth.
     /// @param lamp  the brightest place of the room, clip coordinates
     void drawRoom(glm::vec2 sizePx, glm::vec2 lamp);
-    /// Draws the pieces into the bound framebuffer, which must have a depth buffer, over its contents. Either matrix of
-    /// the scene may mirror. Leaves depth test and culling off.
+    /// Draws the pieces over the contents of the bound framebuffer, which must have a depth buffer. Either matrix of
+    /// the scene may mirror. Disables depth test and culling afterwards.
     void draw(const ArchScene& scene);
 
     [[nodiscard]] std::uint64_t uploadedBytes() const { return m_uploadedBytes; }

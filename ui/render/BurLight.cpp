@@ -16,41 +16,41 @@
 namespace ui::render {
 namespace {
 
-constexpr double kLampAsideMm = 3.0;  ///< of the handpiece's light, from the bur's axis
-constexpr float kLampReachMm = 9.0F;  ///< about the bur
+constexpr double kLampAsideMm = 3.0;  ///< distance of the handpiece's lamp from the bur's axis
+constexpr float kLampReachMm = 9.0F;  ///< reach of the lamp's light around the bur
 /// Half the width of a shadow's edge per millimetre of height: the operating light is 20 cm wide and 70 cm away.
 constexpr double kSpotPenumbra = 0.14;
-constexpr double kSoftestMm = 0.08;  ///< an edge is never less: the lattice has a node for it
-constexpr double kThickFor = 3.0;  ///< times a box is half as large as: a rod that no corner of it is in, leaves it lit
-constexpr float kTold = 0.85F;     ///< strength of the shadow of bur and shank, which a shadow is to tell about
-constexpr float kFilled = 0.45F;   ///< of the handpiece's, which is wide and far: other lamps of the room fill it
+constexpr double kSoftestMm = 0.08;  ///< half-width of the sharpest shadow edge: what the lattice can show
+constexpr double kThickFor = 3.0;    ///< a rod this many times a box's radius leaves it lit if it shades no corner
+constexpr float kTold = 0.85F;       ///< strength of the shadow of bur and shank, which shows the user where the bur is
+constexpr float kFilled = 0.45F;     ///< strength of the handpiece's shadow, which the other lamps of the room brighten
 
 /// A round rod that casts a shadow.
 struct Rod
 {
-    glm::dvec3 fromMm;  ///< frame of the handpiece
+    glm::dvec3 fromMm;  ///< in the handpiece's frame
     glm::dvec3 toMm;
     double radiusMm;
-    float strength;  ///< share of the light that it keeps away, at most
+    float strength;  ///< largest share of the light that the rod blocks
 };
 constexpr std::size_t kRods = 5;
 
-/// Returns bur, shank, head of the handpiece, its neck and its handle: the shapes of SolidMesh, rounded. The first is
-/// the bur.
+/// Returns rods for the bur, the shank, and the head, neck and handle of the handpiece: the shapes of SolidMesh,
+/// simplified. The first rod is the bur.
 std::array<Rod, kRods> rodsOf(const core::bur::Bur& bur)
 {
     const double chuck = core::bur::kChuckMm;
     const double head = bur.headLengthMm;
     const double round = std::min(bur.headRadiusMm, 0.5 * head);
     return {{{{0.0, 0.0, round}, {0.0, 0.0, head - 0.5 * round}, bur.headRadiusMm, kTold},
-             // Of a long head the shank is in the handpiece.
+             // The shank of a bur with a long head is inside the handpiece.
              {{0.0, 0.0, head + kNeckMm + 2.0}, {0.0, 0.0, std::max(chuck, head + kNeckMm + 3.0)}, 0.8, kTold},
              {{0.0, 0.0, chuck + 4.0}, {0.0, 0.0, chuck + 5.0}, 3.6, kFilled},
              {{2.5, 0.0, chuck + 4.9}, {20.0, 0.0, chuck + 9.0}, 2.8, kFilled},
              {{20.0, 0.0, chuck + 9.0}, {60.0, 0.0, chuck + 24.0}, 4.6, kFilled}}};
 }
 
-/// Returns the distance between a way towards the light and a rod, minus the penumbra; mm.
+/// Returns the distance between a ray towards the light and a rod, minus the penumbra, in mm.
 double clearanceMm(const glm::dvec3& from, const Rod& rod, const glm::dvec3& towardsLight)
 {
     const glm::dvec3 way = rod.toMm - rod.fromMm;
@@ -64,7 +64,7 @@ double clearanceMm(const glm::dvec3& from, const Rod& rod, const glm::dvec3& tow
     return glm::length(away + towardsLight * along - way * on) - rod.radiusMm - kSpotPenumbra * along - kSoftestMm;
 }
 
-/// Returns whether a rod may shade a point of a box.
+/// Returns whether a rod may shade a point inside a box.
 bool isShadowed(const Box& box, const Rod& rod, const glm::dvec3& towardsLight)
 {
     const glm::dvec3 low(box.low);
@@ -72,7 +72,7 @@ bool isShadowed(const Box& box, const Rod& rod, const glm::dvec3& towardsLight)
     const double radius = 0.5 * glm::length(high - low);
     if (clearanceMm(0.5 * (low + high), rod, towardsLight) > (1.0 + kSpotPenumbra) * radius)
         return false;
-    // Beside a rod that is thick for the box, the nearest corner tells.
+    // Next to a rod that is thick compared with the box, the corners decide.
     const auto isClear = [&](int corner) {
         const glm::dvec3 at((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
                             (corner & 4) != 0 ? high.z : low.z);
@@ -141,7 +141,7 @@ void BurLight::find(ToothMaps& maps, const Pose& pose)
     glUniform4fv(m_program.uniformLocation("castFrom"), kRods, glm::value_ptr(from[0]));
     glUniform4fv(m_program.uniformLocation("castTo"), kRods, glm::value_ptr(to[0]));
     setVector(m_program, "tipMm", tip);
-    // The lamp stays upright over the bur: what it lights must not depend on where the eye is.
+    // The lamp stays vertically above the bur, because what it lights must not depend on the position of the eye.
     const double headMm = core::bur::kChuckMm + pose.liftMm;
     const glm::dvec3 lampMm = glm::dvec3(pose.toothFromBur * glm::dvec4(kLampAsideMm, 0.0, headMm, 1.0));
     setVector(m_program, "burLampMm", glm::vec3(lampMm));

@@ -55,7 +55,7 @@ void Canvas::resize(QSize sizePx)
     m_size = sizePx;
 }
 
-/// Returns the frame buffer, made at the first use.
+/// Returns the frame buffer. Creates it at the first call.
 QOpenGLFramebufferObject& Canvas::pixels(int samples)
 {
     auto& pixels = samples > 0 ? m_smooth : m_hard;
@@ -83,7 +83,7 @@ const QImage& Canvas::picture(const std::function<void()>& draw, int samples)
     return m_image;
 }
 
-/// Reads the pixels back. OpenGL counts lines from below, so strips are turned while they are in the cache.
+/// Reads the pixels back. OpenGL counts lines from the bottom, so strips are flipped while they are in the cache.
 void Canvas::readBack(QOpenGLFramebufferObject& from)
 {
     const int width = m_size.width();

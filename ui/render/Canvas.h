@@ -22,13 +22,13 @@ class Canvas
 public:
     static constexpr int kSamples = 4;  ///< per pixel, for anti-aliasing
 
-    /// Creates a canvas. Error FileUnreadable, with one sentence, if there is no OpenGL 3.3 core profile; OutOfRange
-    /// for a size that the driver refuses.
+    /// Creates a canvas. Returns FileUnreadable, with a one-sentence detail, if there is no OpenGL 3.3 core profile,
+    /// and OutOfRange for a size that the driver rejects.
     [[nodiscard]] static core::Result<std::unique_ptr<Canvas>> make(QSize sizePx);
     ~Canvas();
 
     /// Calls `draw` with the canvas as the bound framebuffer, and reads the picture back.
-    /// @param samples  kSamples, or 0: no anti-aliasing, in less than half the time
+    /// @param samples  kSamples, or 0 for no anti-aliasing in less than half the time
     /// @return opaque, Format_RGB32, size(); valid until the next picture
     [[nodiscard]] const QImage& picture(const std::function<void()>& draw, int samples = kSamples);
     /// Sets the size of later pictures.
@@ -47,7 +47,7 @@ private:
     std::unique_ptr<QOpenGLFramebufferObject> m_smooth;    ///< with several samples per pixel
     std::unique_ptr<QOpenGLFramebufferObject> m_resolved;  ///< the same, resolved for reading
     std::unique_ptr<QOpenGLFramebufferObject> m_hard;
-    std::vector<std::uint32_t> m_strip;  ///< a part of the picture as OpenGL stores it, from below
+    std::vector<std::uint32_t> m_strip;  ///< a strip of the picture in OpenGL's order, from the bottom
     QImage m_image;
 };
 

@@ -14,27 +14,27 @@
 namespace ui::render {
 namespace {
 
-constexpr int kReach = 14;           ///< from the rim inwards, nodes
-constexpr float kFadesFrom = 9.0F;   ///< nodes
-constexpr float kSteepFull = 0.6F;   ///< z of a normal below which a flank is taken as round
-constexpr float kSteepNone = 0.8F;   ///< and above which it is not
-constexpr float kDeepFromMm = 2.0F;  ///< below the contour, where crowns become roots: no longer round
+constexpr int kReach = 14;           ///< width of a flank from the rim inwards, nodes
+constexpr float kFadesFrom = 9.0F;   ///< distance from the rim at which a flank begins to fade, nodes
+constexpr float kSteepFull = 0.6F;   ///< z of a normal below which a flank is drawn fully rounded
+constexpr float kSteepNone = 0.8F;   ///< z of a normal above which it is not rounded
+constexpr float kDeepFromMm = 2.0F;  ///< below the height of contour: the crown becomes the root, which is not rounded
 constexpr float kDeepFullMm = 3.5F;
-constexpr int kContourReach = 7;  ///< along the rim, nodes
+constexpr int kContourReach = 7;  ///< range of averaging along the rim, nodes
 constexpr float kContourBlur = 4.0F;
 constexpr int kSlopeReach = 7;
-constexpr float kBlurAcross = 2.0F;  ///< the rim, nodes
+constexpr float kBlurAcross = 2.0F;  ///< perpendicular to the rim, nodes
 constexpr float kBlurAlong = 3.5F;
-constexpr float kFallsFrom = 0.3F;  ///< mm a mm towards the rim: less steep and it is no flank, but a ridge
+constexpr float kFallsFrom = 0.3F;  ///< slope towards the rim, mm per mm: a flatter one is part of a ridge
 constexpr float kFallsFull = 0.9F;
-constexpr float kOwnFrom = 1.5F;  ///< from the rim, nodes: from where the slope of a node's own height counts
+constexpr float kOwnFrom = 1.5F;  ///< distance from the rim, nodes, from which the slope of a node's own height counts
 constexpr float kOwnFull = 4.0F;
-constexpr float kAlikeMm = 0.25F;  ///< of heights: what is much higher or lower says less of a node
+constexpr float kAlikeMm = 0.25F;  ///< difference in height at which the weight of a neighbour falls to a quarter
 
-/// A plane through values around a node by weighted least squares; places in cells.
+/// A plane fitted by weighted least squares to values around a node; positions in cells.
 struct Plane
 {
-    double ones = 0.0;  ///< sums of weights, and of weights times places
+    double ones = 0.0;  ///< sums of the weights, and of the weights times positions
     double x = 0.0;
     double y = 0.0;
     double xx = 0.0;
@@ -81,7 +81,7 @@ public:
           m_inwards(lattice.count(), glm::vec2(0.0F)), m_isFlank(lattice.count(), 0.0F)
     {}
 
-    /// Finds the height of contour: on the rim, and from there inwards.
+    /// Finds the height of contour, first on the rim and then inwards from there.
     void findContour()
     {
         for (int j = 0; j < m_lattice.side; ++j)
@@ -96,7 +96,7 @@ public:
                 inward = glm::normalize(inward);
     }
 
-    /// Finds where the upper side is a flank. Beyond a ridge a tooth falls the other way.
+    /// Finds where the upper side is a flank. Beyond a ridge the surface slopes the other way.
     void findFlanks()
     {
         for (int j = 0; j < m_lattice.side; ++j) {
@@ -125,7 +125,7 @@ public:
         Plane upper;
         Plane lower;
         Plane contourAround;
-        // The last nodes before the rim lie anywhere on the flank: all of them are to tell the same of it.
+        // The last nodes before the rim lie anywhere on the flank, so their own heights do not count.
         const float own = node.isRim ? 0.0F : glm::smoothstep(kOwnFrom, kOwnFull, m_distance[k]);
         const float up = node.isRim ? 0.0F : own * (drawnTops[k] - node.contourMm);
         const float down = node.isRim ? 0.0F : node.contourMm - drawnBottoms[k];
@@ -166,8 +166,8 @@ private:
         return false;
     }
 
-    /// Finds the height at which top and bottom would meet on the rim: where columns are thin, their middles approach
-    /// that height evenly.
+    /// Finds the height at which top and bottom would meet on the rim. The middles of columns approach that height
+    /// linearly as the columns get thinner.
     void addContour(int i, int j)
     {
         m_nodes[m_lattice.index(i, j)].isRim = true;
@@ -201,7 +201,7 @@ private:
         m_contour.push_back({{i, j}, static_cast<float>(at)});
     }
 
-    /// Gives a node near the rim the mean height of contour of the rim around it.
+    /// Sets the contour height of a node near the rim to the mean contour height of the rim around it.
     void spreadContour(int i, int j)
     {
         FlankNode& node = m_nodes[m_lattice.index(i, j)];
@@ -223,9 +223,9 @@ private:
         node.share = 1.0F - glm::smoothstep(kFadesFrom, static_cast<float>(kReach), away);
     }
 
-    /// Calls `use` with the solid nodes around, their places and weights. Weights fall as a Gaussian turned to the rim.
-    /// Its exponent is a polynomial of di and dj: a product of factors for di², dj² and di dj, the last of which grows
-    /// evenly along a row, takes a fifth of the exponentials.
+    /// Calls `use` with each solid node around, its position and its weight. Weights fall off as a Gaussian that is
+    /// rotated to the rim. The exponent is a polynomial of di and dj. It is computed as a product of factors for di²,
+    /// dj² and di dj, which takes a fifth of the calls to exp().
     template <class Use>
     void around(int i, int j, glm::vec2 inward, const Use& use) const
     {
@@ -265,8 +265,8 @@ private:
     std::vector<FlankNode>& m_nodes;
     float m_cell;
     std::vector<Contour> m_contour;
-    std::vector<float> m_distance;     ///< to the rim, nodes
-    std::vector<glm::vec2> m_inwards;  ///< unit vectors from the rim
+    std::vector<float> m_distance;     ///< distance to the rim, nodes
+    std::vector<glm::vec2> m_inwards;  ///< unit vectors that point away from the rim
     std::vector<float> m_isFlank;      ///< 0 .. 1
 };
 

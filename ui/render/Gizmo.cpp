@@ -20,7 +20,7 @@ constexpr QRgb kInk = 0xFFECEEEE;
 constexpr QRgb kOcclusal = 0xFF56C7C9;
 constexpr double kArm = 0.74;      ///< distance of the letters from the centre, as a share of the radius
 constexpr double kKnob = 0.21;     ///< radius of a letter's knob, at the depth of the centre
-constexpr double kHitKnobs = 1.8;  ///< a click so many radii away is meant for the letter
+constexpr double kHitKnobs = 1.8;  ///< a click within so many radii counts as a click on the letter
 
 struct End
 {
@@ -28,7 +28,7 @@ struct End
     std::size_t letter;
 };
 
-/// Returns the ends that are drawn, from far to near: the eye looks along -z.
+/// Returns the axis ends to draw, sorted from far to near. The eye looks along -z.
 std::vector<End> endsOf(const glm::dmat3& eyeFromTooth, const GizmoLetters& letters)
 {
     std::vector<End> ends;
@@ -86,7 +86,7 @@ void paintGizmo(QPainter& painter, QPointF centre, double radiusPx, const glm::d
         // The line ends where the knob begins.
         if (const double length = std::hypot(at.x() - centre.x(), at.y() - centre.y()); length > knob)
             painter.drawLine(centre, at - (at - centre) * (knob / length));
-        // Towards the eye filled, away from it hollow.
+        // Ends that point towards the eye are filled, the others hollow.
         const bool filled = end.way.z > -0.05;
         painter.setPen(QPen(ink, 1.5));
         painter.setBrush(filled ? ink : QColor(kDisc));

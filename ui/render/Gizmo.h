@@ -24,8 +24,8 @@ using GizmoLetters = std::array<QString, 6>;
 void paintGizmo(QPainter& painter, QPointF centre, double radiusPx, const glm::dmat3& eyeFromTooth,
                 const GizmoLetters& letters);
 
-/// Returns the end of an axis that is painted at a point, the nearest to the eye first; empty if there is none. Other
-/// parameters as for paintGizmo().
+/// Returns the axis end that is painted at a point, preferring the one nearest to the eye. Empty if there is none. The
+/// other parameters are those of paintGizmo().
 [[nodiscard]] std::optional<std::size_t> gizmoEndAt(QPointF point, QPointF centre, double radiusPx,
                                                     const glm::dmat3& eyeFromTooth, const GizmoLetters& letters);
 

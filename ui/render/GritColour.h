@@ -7,8 +7,8 @@
 
 namespace ui::render {
 
-/// Returns the colour of the ring on the shank of a diamond, as ISO 6360 gives it to a grit. Empty for a carbide bur
-/// and for a number without a colour.
+/// Returns the colour of the ring on the shank of a diamond bur, which ISO 6360 defines for its grit. Empty for a
+/// carbide bur and for an unknown number.
 /// @param grit  as core::bur::Bur::grit
 [[nodiscard]] inline std::optional<QColor> gritColour(int grit)
 {

@@ -12,11 +12,11 @@
 namespace ui::render {
 namespace {
 
-constexpr float kAloneMm = 0.5F;      ///< of enamel under a column in a tooth that has no dentin
-constexpr float kLeastMm = 0.06F;     ///< on either side of the line: no specks where the ground is level
+constexpr float kAloneMm = 0.5F;      ///< thickness of enamel below a column in a tooth without dentin
+constexpr float kLeastMm = 0.06F;     ///< least difference on either side of the line: avoids specks on level ground
 constexpr float kBlurMm = 0.35F;      ///< along the line
-constexpr float kKeepsToLine = 4.0F;  ///< nodes
-constexpr float kSteepestMm = 0.4F;   ///< between two columns that tell the height of the line well
+constexpr float kKeepsToLine = 4.0F;  ///< distance from the line over which the junction follows it, nodes
+constexpr float kSteepestMm = 0.4F;  ///< height between a crossing's two columns at which its weight falls to a quarter
 constexpr int kRounds = 5;
 
 /// A crossing between a column with dentin and one without.
@@ -34,7 +34,7 @@ float squareTo(const Crossing& crossing, glm::vec2 node)
     return glm::dot(to, to);
 }
 
-/// Returns the height of the line near a node.
+/// Returns the weighted mean height of the line near a node.
 float heightAt(const std::vector<Crossing>& line, glm::vec2 node, float blurNodes, float nearest2)
 {
     float sum = 0.0F;
@@ -78,7 +78,7 @@ std::vector<float> drawnJunction(const core::terrain::Grid& lattice, const std::
             }
         }
     }
-    // As even as it can be while it stays between the two columns of each crossing.
+    // Smooths the line as far as possible while it stays between the two columns of each crossing.
     std::vector<float> even(line.size());
     for (int round = 0; round < kRounds; ++round) {
         for (std::size_t c = 0; c < line.size(); ++c)

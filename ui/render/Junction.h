@@ -7,11 +7,11 @@
 
 namespace ui::render {
 
-/// Returns the heights of the enamel-dentin junction for drawing. In columns that are all enamel the junction may have
-/// any height below them. There it is extended from the line where the enamel ends, so that the enamel begins there
-/// with no thickness and grows evenly. That line is between the last column with dentin and the first without, which on
-/// a steep neck are millimetres apart in height. No two columns give its height, but all columns near it together do.
-/// Within a few nodes the junction follows the line, wherever between two columns it climbs the neck.
+/// Returns the heights of the enamel-dentin junction for drawing. In columns that are all enamel the junction may be at
+/// any height below them. There it is extended from the line where the enamel ends, so that the thickness of the enamel
+/// grows evenly from 0. That line is between the last column with dentin and the first one without. On a steep neck the
+/// heights of these two differ by millimetres, so the height of the line follows from all columns near it together.
+/// Within a few nodes of the line the junction follows the line.
 ///
 /// @param tops, bottoms  of the uncut tooth, mm, [side * side]; empty where top <= bottom
 /// @param junction       its heights, at or below the bottom in columns that are all enamel

@@ -14,13 +14,13 @@ namespace ui::render {
 /// Colours of the materials: natural, or clearly distinct and with patterns.
 enum class Palette : std::uint8_t { Natural, Distinct };
 
-/// The meaning of the depth colours: none, the depth of a cut below the original surface, or the distance of the
-/// surface above or below the ideal preparation.
+/// What the depth colours show: nothing, the depth of a cut below the original surface, or the distance of the surface
+/// above or below the ideal preparation.
 enum class DepthColours : std::uint8_t { Off, BelowOriginal, AgainstIdeal };
 
-/// End of the scale below the original, mm: the deepest cavities that are taught reach the pulp.
+/// End of the scale below the original surface, mm. The deepest cavities that are taught reach the pulp.
 inline constexpr double kDepthScaleMm = 3.0;
-/// Either end of the scale around the ideal, mm.
+/// Both ends of the scale around the ideal, mm.
 inline constexpr double kIdealScaleMm = 1.0;
 
 /// The appearance of the tooth.
@@ -28,17 +28,17 @@ struct Look
 {
     Palette palette = Palette::Natural;
     bool isWet = false;
-    bool burLight = false;  ///< a light at the head of the handpiece, with its shadows in a cavity
+    bool burLight = false;  ///< a light at the head of the handpiece, and the shadows it casts in a cavity
     DepthColours depthColours = DepthColours::Off;
-    bool idealOutline = false;  ///< a line on the uncut surface around what the ideal preparation removes
+    bool idealOutline = false;  ///< a line on the uncut surface around the area that the ideal preparation removes
     bool operator==(const Look&) const = default;
 };
 
-/// A dental mirror: a plane round front-surface mirror.
+/// A dental mirror: a plane, round front-surface mirror.
 struct DentalMirror
 {
     glm::dvec3 centreMm{0.0};
-    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit vector, out of the mirroring side
+    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit vector, away from the reflecting side
 
     static constexpr double kRadiusMm = 9.0;  ///< size 2
 

@@ -31,7 +31,7 @@ QColor seenAs(const QColor& colour, Stereo stereo)
 {
     if (stereo != Stereo::RedCyan && stereo != Stereo::RedCyanGrey)
         return colour;
-    // Both eyes' share of present.frag together.
+    // The sum of both eyes' matrices in present.frag.
     constexpr glm::dmat3 kBoth(0.4126, 0.3384, -0.0874, 0.4126, 0.6958, -0.1336, 0.1748, -0.0343, 1.2209);
     const glm::dvec3 own(colour.redF(), colour.greenF(), colour.blueF());
     const glm::dvec3 seen = stereo == Stereo::RedCyan ? glm::clamp(kBoth * own, 0.0, 1.0)

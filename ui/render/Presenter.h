@@ -16,8 +16,8 @@
 
 namespace ui::render {
 
-/// The stereo mode: off; red and cyan glasses (in colour with little ghosting after Dubois 2001, or in grey with the
-/// least ghosting); or two halves of one picture for a display that separates them.
+/// The stereo mode: off; red and cyan glasses, either in colour with little ghosting (after Dubois 2001) or in grey
+/// with the least ghosting; or two halves of one picture for a display that separates them.
 enum class Stereo : std::uint8_t { Off, RedCyan, RedCyanGrey, SideBySide, TopBottom };
 
 /// Returns a colour as it appears in a picture for both eyes, for content painted over such a picture.
@@ -31,19 +31,19 @@ struct Presentation
 {
     Stereo stereo = Stereo::Off;
     double apart = 0.04;         ///< distance of the two eyes, relative to the distance to the focus
-    double convergence = 1.0;    ///< distance of the plane of the screen, relative to the same
+    double convergence = 1.0;    ///< distance of the plane of the screen, relative to the distance to the focus
     bool flipLeftRight = false;  ///< for a half-silvered mirror over the hand
-    bool flipUpDown = false;     ///< for a screen that hangs upside down over it
+    bool flipUpDown = false;     ///< for a screen mounted upside down above the hand
     bool operator==(const Presentation&) const = default;
     [[nodiscard]] bool isPlain() const { return stereo == Stereo::Off && !flipLeftRight && !flipUpDown; }
 };
 
-/// Draws a scene with a presentation. The context of initialize() must be current in every call, including the
-/// destructor.
+/// Draws a scene as the user's Presentation requires. The context of initialize() must be current in every call,
+/// including the destructor.
 class Presenter : private QOpenGLFunctions_3_3_Core
 {
 public:
-    /// Compiles the shader. Returns false if it is refused, with the cause in `reason`.
+    /// Compiles the shader. Returns false if the driver rejects it, and writes the cause to `reason`.
     [[nodiscard]] bool initialize(QString& reason);
 
     /// Draws into the whole viewport of the bound framebuffer.

@@ -17,7 +17,7 @@ struct Waiting
     std::function<void(const ArchPointer&)> done;
 };
 
-/// Used by the ui thread only.
+/// The shared arch and the callers that wait for it. Used by the UI thread only.
 struct Shelf
 {
     ArchPointer arch;

@@ -12,8 +12,8 @@ namespace ui::render {
 
 using ArchPointer = std::shared_ptr<const core::teeth::Arch>;
 
-/// Passes the arch to `done`: at once if it has been built, otherwise after a pool thread has built it. Does not call
-/// `done` if `owner` has been destroyed. The arch is built once per run, on the first call. Ui thread.
+/// Calls `done` with the arch: at once if it has been built, otherwise after a pool thread has built it. Does not call
+/// `done` if `owner` has been destroyed. The arch is built once per run, at the first call. Ui thread.
 void withArch(QObject* owner, std::function<void(const ArchPointer&)> done);
 
 }  // namespace ui::render

@@ -20,12 +20,12 @@ constexpr float kNotchedBlades = 3.0F;
 constexpr float kDiamond = 4.0F;
 constexpr float kRing = 5.0F;
 constexpr float kRingMm = 0.6F;  ///< length of the ring on a diamond's shank
-constexpr int kAround = 48;      ///< facets of a turned part
+constexpr int kAround = 48;      ///< facets of a part of circular cross-section
 constexpr float kPi = 3.14159265F;
-/// Sharper edges stay edges: cosine of 35 degrees.
+/// Edges sharper than this are not smoothed: cosine of 35 degrees.
 constexpr float kCrease = 0.82F;
 
-/// A circle of a swept part: its centre, its size, and the material from here on.
+/// One circle of a swept part: its centre, its radius, and the material from this circle on.
 struct Ring
 {
     glm::vec3 centre;
@@ -38,7 +38,8 @@ struct Ring
 void sweep(SolidMesh& mesh, std::span<const Ring> rings)
 {
     const std::size_t count = rings.size();
-    // Direction of the path at each ring: across equal centres (a flat disc) it is that of the nearest part that moves.
+    // Direction of the path at each ring. Between rings with the same centre (a flat disc), the direction of the
+    // nearest piece of the path with a length.
     std::vector<glm::vec3> along(count, glm::vec3(0.0F, 0.0F, 1.0F));
     for (std::size_t k = 0; k < count; ++k) {
         std::size_t low = k;
@@ -49,7 +50,7 @@ void sweep(SolidMesh& mesh, std::span<const Ring> rings)
             ++high;
         along[k] = glm::normalize(rings[high].centre - rings[low].centre);
     }
-    // Slope of each piece of the profile as (outwards, along).
+    // Normal of each piece of the profile as (outwards, along).
     std::vector<glm::vec2> pieceNormal(count - 1);
     for (std::size_t k = 0; k + 1 < count; ++k) {
         const float run = glm::dot(rings[k + 1].centre - rings[k].centre, along[k]);
@@ -83,7 +84,7 @@ void sweep(SolidMesh& mesh, std::span<const Ring> rings)
     }
 }
 
-/// Adds a part turned about the z axis.
+/// Adds a solid of revolution about the z axis.
 void turn(SolidMesh& mesh, std::span<const glm::vec3> radiusHeightFinish)
 {
     std::vector<Ring> rings;
@@ -99,7 +100,7 @@ float finishOf(const core::bur::Bur& bur)
     return bur.isCrosscut() ? kNotchedBlades : kBlades;
 }
 
-/// Returns a profile whose part between two heights has the finish of the ring. Heights must not fall.
+/// Returns the profile with the finish of the ring between two heights. The heights of the profile must not decrease.
 std::vector<glm::vec3> withRing(const std::vector<glm::vec3>& profile, float fromMm, float toMm)
 {
     std::vector<glm::vec3> ringed;
@@ -143,7 +144,7 @@ SolidMesh shankMesh(const core::bur::Bur& bur)
     const float from = head + static_cast<float>(kNeckMm);
     const auto chuck = static_cast<float>(core::bur::kChuckMm);
     constexpr float kShankMm = 0.8F;
-    constexpr float kWidensMm = 3.2F;  // over this length, or what a long head leaves of it
+    constexpr float kWidensMm = 3.2F;  // or less, if a long head leaves less room
     const float inChuck = chuck + 4.0F;
     const float widens = std::min(kWidensMm, 0.9F * (inChuck - from));
     const std::vector<glm::vec3> profile{
@@ -154,11 +155,11 @@ SolidMesh shankMesh(const core::bur::Bur& bur)
         {neck, from, kSteel},
         {0.5F * (neck + kShankMm), from + std::min(1.7F, 0.6F * widens), kSteel},
         {kShankMm, from + widens, kSteel},
-        {kShankMm, inChuck, kSteel},  // closed: the handpiece is seen through, and the neck ends in it
+        {kShankMm, inChuck, kSteel},  // closed, because the handpiece is semi-transparent and the shank ends inside it
         {0.0F, inChuck, kSteel},
     };
     SolidMesh mesh;
-    // Where the shank begins or, of a long head, on what is seen of the neck.
+    // The ring is at the beginning of the shank, or on the visible part of the neck if the head is long.
     const float ring = std::max(head, std::min(from + 0.5F * widens, chuck - 2.0F * kRingMm));
     turn(mesh, bur.isDiamond() ? withRing(profile, ring, ring + kRingMm) : profile);
     return mesh;
@@ -168,7 +169,7 @@ SolidMesh handpieceMesh()
 {
     SolidMesh mesh;
     const auto chuck = static_cast<float>(core::bur::kChuckMm);
-    // The head: chuck, cap below, barrel, push button on top.
+    // The head, from bottom to top: chuck, cap, barrel, push button.
     const std::vector<glm::vec3> head{
         {0.9F, chuck, kGrip},         {1.7F, chuck, kSteel},        {2.0F, chuck + 0.3F, kSteel},
         {2.2F, chuck + 0.8F, kSteel}, {3.1F, chuck + 1.1F, kSteel}, {3.6F, chuck + 1.6F, kSteel},
@@ -178,7 +179,7 @@ SolidMesh handpieceMesh()
         {2.6F, chuck + 8.0F, kSteel}, {2.5F, chuck + 8.2F, kSteel}, {0.0F, chuck + 8.3F, kSteel},
     };
     turn(mesh, head);
-    // Neck and handle: out of the barrel, then bent up by some 22 degrees as a contra-angle is.
+    // Neck and handle: straight out of the barrel, then bent up by about 22 degrees, as in a contra-angle handpiece.
     const float axis = chuck + 4.9F;
     const std::vector<Ring> handle{
         {{2.0F, 0.0F, axis}, 2.7F, kSteel},           {{5.0F, 0.0F, axis + 0.1F}, 2.6F, kSteel},

@@ -11,14 +11,14 @@
 
 namespace ui::render {
 
-/// One corner of a mesh of metal, in the frame of the handpiece: tip of the bur at the origin, its axis +z, the
-/// handle towards +x. mm.
+/// A vertex of a metal mesh, in mm in the frame of the handpiece: the tip of the bur is at the origin, its axis is +z,
+/// and the handle points towards +x.
 struct MetalVertex
 {
     glm::vec3 position;
     glm::vec3 normal;
     float finish;  ///< 0 polished steel, 1 dark grip, 2 blades, 3 notched blades, 4 diamond, 5 ring of a grit's colour
-    float aboutRad;  ///< angle about the axis of a turned part, from 0 up to and including the whole circle
+    float aboutRad;  ///< angle about the axis of a turned part, from 0 to the full circle inclusive
 };
 
 /// Triangles of the instrument, counter-clockwise seen from outside.
@@ -28,7 +28,7 @@ struct SolidMesh
     std::vector<std::uint32_t> indices;
 };
 
-/// Largest lift of shank and handpiece, so that they do not intersect a deep tooth, mm.
+/// Largest lift of shank and handpiece, mm. They are lifted so that they do not intersect a tooth with a deep cavity.
 inline constexpr double kMostLiftMm = 6.0;
 /// Height above the head at which the shank begins to widen, mm.
 inline constexpr double kNeckMm = 1.0;

@@ -17,19 +17,19 @@ using core::terrain::grown;
 using core::terrain::kEmptyTop;
 using core::terrain::NodeRect;
 
-constexpr float kSteepFrom = 0.6F;      ///< mm a mm, of the blurred heights: 30 degrees
+constexpr float kSteepFrom = 0.6F;      ///< slope of the blurred heights, mm per mm: 30 degrees
 constexpr float kSteepestSlope = 1.4F;  ///< 55 degrees
-constexpr float kSharpFrom = 0.12F;     ///< cells that the blur takes off a crest, or fills into a slit
+constexpr float kSharpFrom = 0.12F;     ///< change that the blur makes at a crest or in a narrow groove, cells
 constexpr float kSharpFull = 0.4F;
-/// Of the blur, along one axis, from the middle outwards: a Gaussian of 1.15 cells.
+/// Weights of the blur along one axis, from the middle outwards: a Gaussian of 1.15 cells.
 constexpr std::array<float, 4> kBlur{1.0F, 0.685F, 0.220F, 0.033F};
-constexpr float kBlurSum = 2.876F;  ///< of all seven
-/// Share of the blur's weight that must be there: beside nothing, nothing is blurred.
+constexpr float kBlurSum = 2.876F;  ///< of all seven weights
+/// Share of the blur's weight that must fall on existing nodes. Nodes beside empty ones are not blurred.
 constexpr float kWholeFrom = 0.97F;
 constexpr int kBlurReach = static_cast<int>(kBlur.size()) - 1;
-constexpr int kWallReach = 3;        ///< nodes within which a wall's foot and lip are looked for
-constexpr float kPull = 0.5F;        ///< of the way to the middle of the wall
-constexpr float kMostShift = 0.46F;  ///< cells: triangles must not turn over
+constexpr int kWallReach = 3;        ///< distance within which the foot and lip of a wall are searched for, nodes
+constexpr float kPull = 0.5F;        ///< share of the distance to the middle of the wall by which a node is moved
+constexpr float kMostShift = 0.46F;  ///< largest move, cells: triangles must not turn over
 
 float smooth(float from, float to, float value)
 {
@@ -37,7 +37,7 @@ float smooth(float from, float to, float value)
     return t * t * (3.0F - 2.0F * t);
 }
 
-/// Calls `use` with column and row of each node of a rectangle.
+/// Calls `use` with the column and row of each node in a rectangle.
 template <class Use>
 void each(const NodeRect& in, const Use& use)
 {
@@ -53,7 +53,7 @@ SteepGround::SteepGround(const core::terrain::Grid& lattice)
       m_whole(lattice.count()), m_low(lattice.count()), m_high(lattice.count())
 {}
 
-/// Blurs what is there, and finds how high and low the ground is that a wall joins.
+/// Blurs the heights of existing nodes, and finds the lowest and highest ground near each node.
 void SteepGround::blur(const std::vector<float>& tops, const NodeRect& rect)
 {
     const int side = m_lattice.side;

@@ -16,7 +16,7 @@
 
 namespace ui::render {
 
-/// All that the picture of tooth and room depends on while nothing is cut.
+/// Everything that the picture of tooth and room depends on while nothing is cut.
 struct StillView
 {
     glm::dmat4 eyeFromTooth{1.0};
@@ -24,12 +24,12 @@ struct StillView
     glm::dvec4 clipPlane{0.0};
     glm::vec3 towardsLight{0.0F};
     Look look;
-    std::uint64_t surfaces = 0;  ///< a different number for each tooth and each set of neighbours
+    std::uint64_t surfaces = 0;  ///< changes with each tooth and each set of adjacent teeth
     bool operator==(const StillView&) const = default;
 };
 
-/// The last picture of tooth and room, colours and depths, for a camera at rest: a software driver copies it in a tenth
-/// of the time of drawing. The context that was current at the first use must be current in every call, including the
+/// Stores the last picture of tooth and room, colours and depths, for a camera at rest. A software driver copies it in
+/// a tenth of the time of drawing. The context of the first call must be current in every later call, including the
 /// destructor.
 class StillPicture
 {

@@ -14,9 +14,10 @@ namespace {
 
 constexpr int kDecayReach = 3;        ///< nodes over which the outline of a lesion is smoothed
 constexpr float kAboveOpenMm = 0.3F;  ///< where the roof of an open lesion is drawn: clear of the surface
-constexpr int kRimRings = 3;          ///< beyond the last solid node, in which layers are known
+constexpr int kRimRings = 3;          ///< rings of nodes beyond the last solid node in which layers are defined
 
-/// Mean of a value over the nodes among the eight around one (and itself) that are marked. False when none is.
+/// Computes the mean of a value over the marked nodes among a node and its eight neighbours. Returns false if none is
+/// marked.
 template <class Value>
 bool meanAround(const core::terrain::Grid& lattice, int i, int j, const std::vector<std::uint8_t>& marked,
                 const Value& value, glm::vec4& mean)
@@ -36,8 +37,8 @@ bool meanAround(const core::terrain::Grid& lattice, int i, int j, const std::vec
     return found > 0.0F;
 }
 
-/// A lesion is whole columns of the lattice; its outline would be their corners. So its heights are carried a little
-/// beyond it, and how far it reaches is told by the share of decayed columns around each node.
+/// Smooths the outline of lesions, which would show the corners of the lattice's columns. Extends a lesion's heights a
+/// little beyond it, and stores the share of decayed columns around each node as its extent.
 void softenDecay(const core::terrain::Grid& lattice, const std::vector<float>& wholeTop,
                  const std::vector<std::uint8_t>& caries, SurfaceLayers& layers)
 {
@@ -80,8 +81,8 @@ void softenDecay(const core::terrain::Grid& lattice, const std::vector<float>& w
             depth /= found;
             layers.lower[k].y = found / weights;
             layers.lower[k].w = open / weights;
-            // Between columns that are open and such that are not, the roof rises out of the tooth bit by bit: its way
-            // through the surface is then a line and not their corners.
+            // Between open and closed columns the roof rises out of the tooth gradually. It then crosses the surface
+            // along a line and not along the corners of the columns.
             const float closed = middle / found;
             const float isOpen = glm::smoothstep(0.25F, 0.75F, open / found);
             here.x = glm::mix(closed + 0.5F * depth, wholeTop[k] + kAboveOpenMm, isOpen);
@@ -90,7 +91,7 @@ void softenDecay(const core::terrain::Grid& lattice, const std::vector<float>& w
     }
 }
 
-/// Gives the rim, and what a texture mixes in beyond it, the layers of the solid nodes beside them, like their heights.
+/// Copies layers from solid nodes to the rim and to the nodes beyond it that texture filtering mixes in.
 void spreadBeyondRim(const core::terrain::Grid& lattice, std::vector<std::uint8_t> known, SurfaceLayers& layers)
 {
     const int side = lattice.side;
@@ -109,7 +110,7 @@ void spreadBeyondRim(const core::terrain::Grid& lattice, std::vector<std::uint8_
                 };
                 if (!meanAround(lattice, i, j, known, layersOf, layers.upper[k]))
                     continue;
-                layers.upper[k].z = lowestDej;  // no speck of dentin where enamel ends on the rim
+                layers.upper[k].z = lowestDej;  // avoids a speck of dentin where enamel ends on the rim
                 reached[k] = 1;
             }
         }
@@ -117,7 +118,7 @@ void spreadBeyondRim(const core::terrain::Grid& lattice, std::vector<std::uint8_
     }
 }
 
-/// Closes the pulp around the nodes that have one.
+/// Makes the roof and the floor of the pulp meet in the nodes around it.
 void closePulp(const core::terrain::Grid& lattice, const std::vector<std::uint8_t>& pulp, SurfaceLayers& layers)
 {
     const int side = lattice.side;

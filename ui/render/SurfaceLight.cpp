@@ -16,22 +16,22 @@ namespace {
 using core::terrain::kEmptyTop;
 using core::terrain::NodeRect;
 
-/// Distances at which the sky is looked for, mm: close ones for fissures, far ones for cusps and cavity walls.
+/// Distances at which the horizon is sampled, mm: near ones for fissures, far ones for cusps and cavity walls.
 constexpr std::array<float, 7> kSkyReachMm{0.08F, 0.16F, 0.28F, 0.5F, 0.85F, 1.4F, 2.2F};
-/// The two of them at which a fissure is told from a fossa: the walls of a fissure rise at once and no more after
-/// that, those of a bowl rise ever more.
+/// The two samples that tell a fissure from a fossa. The walls of a fissure rise only near its bottom; those of a bowl
+/// keep rising.
 constexpr std::size_t kNearSample = 2;
 constexpr std::size_t kFarSample = 4;
 constexpr float kBowlShare = 0.5F;
-constexpr float kUnknownRise = -1.0e3F;  ///< where there is no ground to rise
-/// Half-width of the light's own disc as a tangent: what makes the edge of a shadow soft.
+constexpr float kUnknownRise = -1.0e3F;  ///< slope towards an empty node
+/// Half-width of the operating light as a tangent. Determines how soft the edge of a shadow is.
 constexpr float kPenumbra = 0.5F;
-constexpr float kUpright = 1.0e-4F;  ///< horizontal part of a light that comes straight from above
+constexpr float kUpright = 1.0e-4F;  ///< horizontal part of the direction of a light straight from above
 /// Depth below the whole surface at which a spot counts as cut, mm.
 constexpr float kCutFromMm = 0.01F;
 constexpr float kCutFullMm = 0.06F;
-constexpr int kBlur = 3;            ///< nodes around one that its light is averaged over
-constexpr float kFreeFull = 0.25F;  ///< z of the normal of a flank up to which it has the sky for itself
+constexpr int kBlur = 3;            ///< range over which light is averaged, nodes
+constexpr float kFreeFull = 0.25F;  ///< z of a flank's normal up to which the flank sees the whole sky
 constexpr float kFreeNone = 0.6F;
 constexpr glm::vec4 kFreeLight(1.0F, 1.0F, 0.0F, 0.5F);
 
@@ -40,7 +40,7 @@ std::uint8_t toByte(float value)
     return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
 }
 
-/// True for uncut ground near the rim.
+/// Returns whether a node is uncut and near the rim.
 bool isFlank(const LitMaps& maps, std::size_t k)
 {
     return maps.top[k] >= maps.wholeTop[k] && maps.flanks.isNear(k);
@@ -77,7 +77,8 @@ void SurfaceLight::setDirection(glm::vec3 towardsLight)
 
 NodeRect SurfaceLight::shine(const LitMaps& maps, const NodeRect& rect)
 {
-    // Raw values on solid nodes; then each node takes the average of the solid ones around it, the rim as well.
+    // Computes raw values on solid nodes. Then every node, rim nodes included, gets the average of the solid nodes
+    // around it.
     const NodeRect raw = core::terrain::grown(rect, kBlur, m_lattice);
     for (int j = raw.beginJ; j < raw.endJ; ++j)
         for (int i = raw.beginI; i < raw.endI; ++i)
@@ -97,12 +98,12 @@ NodeRect SurfaceLight::shine(const LitMaps& maps, const NodeRect& rect)
     return changed;
 }
 
-/// Returns the light of a solid node by itself, as in Light, 0 to 1.
+/// Returns the unsmoothed light of a solid node, with the components of Light, each 0 to 1.
 glm::vec4 SurfaceLight::lightAt(const LitMaps& maps, int i, int j) const
 {
     const std::size_t k = m_lattice.index(i, j);
     const glm::vec3& normal = maps.normals[k];
-    // Nothing stands before an uncut flank; that something seems to is the lattice's doing.
+    // Nothing shades an uncut flank. If a sample finds something, it is an effect of the lattice.
     const float free = isFlank(maps, k) ? 1.0F - glm::smoothstep(kFreeFull, kFreeNone, normal.z) : 0.0F;
     if (free == 1.0F)
         return kFreeLight;
@@ -110,14 +111,14 @@ glm::vec4 SurfaceLight::lightAt(const LitMaps& maps, int i, int j) const
     const Sky sky = skyAt(maps, i, j, slope);
     const float cut =
         (maps.wholeTop[k] - std::max(maps.top[k], maps.drawnTop[k]) - kCutFromMm) / (kCutFullMm - kCutFromMm);
-    // Along the normal, not along the axis: a bend in a flank is no fissure.
+    // Measured along the normal and not along the axis, so a bend in a flank does not count as a fissure.
     const float crevice = normal.z * normal.z * sky.crevice;
     const glm::vec4 found(sky.open, litAt(maps, i, j, slope), cut, 0.5F + 0.5F * crevice);
     return glm::clamp(glm::mix(found, kFreeLight, free), 0.0F, 1.0F);
 }
 
-/// Returns how much of the sky a node sees. Towards each side the sky begins at the slope of the surface itself; what
-/// stands above that takes away the square of a sine, as of the light that a flat patch receives.
+/// Returns how much of the sky a node sees. In each direction the sky begins at the slope of the surface itself. Ground
+/// above that takes away the square of the sine, as for the light that a flat patch receives.
 SurfaceLight::Sky SurfaceLight::skyAt(const LitMaps& maps, int i, int j, glm::vec2 slope) const
 {
     const std::size_t k = m_lattice.index(i, j);
@@ -131,7 +132,7 @@ SurfaceLight::Sky SurfaceLight::skyAt(const LitMaps& maps, int i, int j, glm::ve
             horizon = std::max(horizon, climb(maps, maps.drawnTop, {i, j}, maps.drawnTop[k], m_sky[d][s]));
             if (s != kNearSample && s != kFarSample)
                 continue;
-            // A fissure may be so narrow that little of it is drawn.
+            // Uses the solid heights, because little of a narrow fissure may be drawn.
             const float rises = climb(maps, maps.solidTop, {i, j}, maps.solidTop[k], m_sky[d][s]);
             if (rises > kUnknownRise)
                 (s == kNearSample ? near : far) += rises - own;
@@ -144,7 +145,7 @@ SurfaceLight::Sky SurfaceLight::skyAt(const LitMaps& maps, int i, int j, glm::ve
     return {open / kCount, (near - kBowlShare * std::max(far, 0.0F)) / kCount};
 }
 
-/// Returns the slope from a node up to another one; kUnknownRise where that is not solid.
+/// Returns the slope from a node up to another one, or kUnknownRise if the other one is not solid.
 float SurfaceLight::climb(const LitMaps& maps, const std::vector<float>& tops, glm::ivec2 node, float here,
                           const Sample& sample) const
 {
@@ -155,7 +156,7 @@ float SurfaceLight::climb(const LitMaps& maps, const std::vector<float>& tops, g
     return (tops[m_lattice.index(x, y)] - here) / sample.distanceMm;
 }
 
-/// Returns how much of the operating light arrives at a node: below 0 in full shadow, above 1 in full light.
+/// Returns how much of the operating light reaches a node: below 0 in full shadow, above 1 in full light.
 float SurfaceLight::litAt(const LitMaps& maps, int i, int j, glm::vec2 slope) const
 {
     const int side = m_lattice.side;
@@ -167,7 +168,7 @@ float SurfaceLight::litAt(const LitMaps& maps, int i, int j, glm::vec2 slope) co
     const float facing = run > kUpright ? glm::dot(slope, across) / run : -1.0e3F;
     float blocked = -1.0e3F;
     for (const float t : m_lightPath) {
-        // Between nodes, or the edge of a shadow would have their steps.
+        // Interpolates between nodes; the edge of a shadow would show the lattice otherwise.
         const glm::vec2 at = glm::vec2(i, j) + across * (t / (run * cell));
         const int x = static_cast<int>(at.x);
         const int y = static_cast<int>(at.y);
@@ -182,11 +183,11 @@ float SurfaceLight::litAt(const LitMaps& maps, int i, int j, glm::vec2 slope) co
         const float height = glm::mix(glm::mix(row[0], row[1], u), glm::mix(row[side], row[side + 1], u), v);
         blocked = std::max(blocked, (height - here) / t);
     }
-    // A slope that turns away is not in shadow by this measure: its normal says enough.
+    // A slope that faces away from the light counts as lit here, because its normal already darkens it.
     return (std::max(rise, facing) + kPenumbra - blocked) / (2.0F * kPenumbra);
 }
 
-/// Returns the mean light of the solid nodes around one: on a flank along it, not over the ridge that it ends at.
+/// Returns the mean light of the solid nodes around one. On a flank it averages along the flank and not over the ridge.
 glm::vec4 SurfaceLight::meanAround(const LitMaps& maps, int i, int j) const
 {
     const bool flank = isFlank(maps, m_lattice.index(i, j));

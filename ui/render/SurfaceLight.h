@@ -16,13 +16,13 @@ namespace ui::render {
 
 class Flanks;
 
-/// The maps of a tooth that decide how it is lit: [side * side] of the lattice that is drawn, mm.
+/// The maps of a tooth that its lighting depends on: [side * side] of the drawn lattice, mm.
 struct LitMaps
 {
     const std::vector<float>& wholeTop;     ///< before anything was cut
     const std::vector<float>& top;          ///< as cut so far
-    const std::vector<float>& solidTop;     ///< as drawn, kEmptyTop where nothing is left
-    const std::vector<float>& drawnTop;     ///< the same, with its walls freed of the lattice's steps
+    const std::vector<float>& solidTop;     ///< as drawn; kEmptyTop where no material is left
+    const std::vector<float>& drawnTop;     ///< the same without the lattice's steps in walls
     const std::vector<glm::vec3>& normals;  ///< unit vectors of the upper surface
     const Flanks& flanks;
 };
@@ -32,22 +32,22 @@ struct LitMaps
 class SurfaceLight
 {
 public:
-    /// Red: openness to the sky. Green: operating light that arrives. Blue: cut since the tooth was whole. Alpha:
-    /// crevice above one half, ridge below. 255 is one.
+    /// Red: openness to the sky. Green: share of the operating light that arrives. Blue: cut since the tooth was whole.
+    /// Alpha: above one half in a crevice, below on a ridge. 255 is one.
     using Light = std::array<std::uint8_t, 4>;
 
-    /// How far a shadow of the operating light is followed, mm: a 3 mm cusp under a light 55 degrees up casts one of
-    /// 2.1 mm.
+    /// Length to which shadows of the operating light are followed, mm. A 3 mm cusp under a light at 55 degrees
+    /// elevation casts a shadow of 2.1 mm.
     static constexpr float kShadowReachMm = 2.4F;
 
     /// @param towardsLight  unit vector to the operating light, tooth frame, z > 0
     SurfaceLight(const core::terrain::Grid& lattice, glm::vec3 towardsLight);
 
-    /// Moves the operating light. Values that shine() has computed before stay as they are.
+    /// Moves the operating light. Values that shine() has already computed do not change.
     void setDirection(glm::vec3 towardsLight);
     [[nodiscard]] glm::vec3 direction() const { return m_towardsLight; }
 
-    /// Computes the light of all nodes in a rectangle. Returns the rectangle of those that changed.
+    /// Computes the light of all nodes in a rectangle. Returns the rectangle of the nodes whose light has changed.
     core::terrain::NodeRect shine(const LitMaps& maps, const core::terrain::NodeRect& rect);
 
     /// Returns the light of every node of the lattice, row by row.
@@ -56,7 +56,7 @@ public:
 private:
     static constexpr std::size_t kSkyDirections = 8;
     static constexpr std::size_t kSkySamples = 7;
-    /// A node at which the sky is looked for.
+    /// A node at which the horizon is sampled.
     struct Sample
     {
         int di;
@@ -81,7 +81,7 @@ private:
     glm::vec3 m_towardsLight;
     std::array<std::array<Sample, kSkySamples>, kSkyDirections> m_sky{};
     std::array<glm::vec2, kSkyDirections> m_directions{};
-    std::vector<float> m_lightPath;  ///< distances at which a shadow is looked for, mm
+    std::vector<float> m_lightPath;  ///< distances at which the path of the light is sampled, mm
     std::vector<glm::vec4> m_raw;
     std::vector<Light> m_light;
 };

@@ -36,7 +36,7 @@ QRect pixelsOf(const Box& box, const glm::dmat4& clipFromTooth, QSize size)
         const glm::dvec4 clip = clipFromTooth * glm::dvec4((corner & 1) != 0 ? box.high.x : box.low.x,
                                                            (corner & 2) != 0 ? box.high.y : box.low.y,
                                                            (corner & 4) != 0 ? box.high.z : box.low.z, 1.0);
-        // Beside the eye or behind it: anywhere.
+        // The corner is beside or behind the eye, so the box may be anywhere on the screen.
         if (clip.w < 0.1)
             return all;
         const glm::dvec2 at = glm::dvec2(clip) / clip.w;
@@ -205,7 +205,7 @@ TileBounds ToothMaps::boundsOf(const ToothSurface& surface, std::size_t tile, Si
     return bounds;
 }
 
-/// Computes counts and bounds of the tiles that a rectangle of nodes touches.
+/// Computes the index counts and bounds of the tiles that a rectangle of nodes touches.
 void ToothMaps::measureTiles(const ToothSurface& surface, const core::terrain::NodeRect& rect)
 {
     constexpr int kCells = ToothSurface::kTileCells;
@@ -233,7 +233,7 @@ Box ToothMaps::boxOf(const core::terrain::NodeRect& rect) const
     const auto cell = static_cast<float>(m_lattice->cellMm);
     float low = std::numeric_limits<float>::max();
     float high = std::numeric_limits<float>::lowest();
-    // Triangles reach to the next nodes.
+    // Triangles extend to the neighbouring nodes.
     const core::terrain::NodeRect around = grown(rect, 1, *m_lattice);
     for (int j = around.beginJ; j < around.endJ; ++j) {
         for (int i = around.beginI; i < around.endI; ++i) {
@@ -242,7 +242,7 @@ Box ToothMaps::boxOf(const core::terrain::NodeRect& rect) const
             high = std::max(high, top);
         }
     }
-    // Where a column is gone, what was below it is gone as well.
+    // Where a column is removed, its lower surface is removed as well.
     const int lastX = std::min((rect.endI - 1) / kCells, m_tilesPerSide - 1);
     const int lastY = std::min((rect.endJ - 1) / kCells, m_tilesPerSide - 1);
     for (int y = std::max(0, rect.beginJ - 1) / kCells; y <= lastY; ++y) {
@@ -254,7 +254,7 @@ Box ToothMaps::boxOf(const core::terrain::NodeRect& rect) const
             }
         }
     }
-    // Drawn nodes stand up to half a cell aside.
+    // Nodes are drawn up to half a cell away from their position in the lattice.
     const glm::vec2 first = glm::vec2(m_lattice->nodeMm(rect.beginI, rect.beginJ)) - 1.5F * cell;
     const glm::vec2 last = glm::vec2(m_lattice->nodeMm(rect.endI - 1, rect.endJ - 1)) + 1.5F * cell;
     return {{first, std::min(low, high)}, {last, high}};
@@ -294,7 +294,7 @@ void ToothMaps::bind(QOpenGLShaderProgram& program, Side side)
         maps[unit].second->texture->bind(static_cast<uint>(unit));
         program.setUniformValue(maps[unit].first, static_cast<int>(unit));
     }
-    glActiveTexture(GL_TEXTURE0);  // as Qt's painter takes it to be
+    glActiveTexture(GL_TEXTURE0);  // as Qt's painter expects
     program.setUniformValue("lattice", static_cast<float>(m_lattice->originMm.x),
                             static_cast<float>(m_lattice->originMm.y), static_cast<float>(1.0 / m_lattice->cellMm));
 }

@@ -43,8 +43,8 @@ struct TileBounds
 /// Returns the pixels, from the lower left, that a box may cover in a picture of this size.
 [[nodiscard]] QRect pixelsOf(const Box& box, const glm::dmat4& clipFromTooth, QSize size);
 
-/// The OpenGL data of a ToothSurface: its maps as textures, its triangles by tiles. The context of initialize() must be
-/// current in every call, including the destructor.
+/// The OpenGL data of a ToothSurface: its maps as textures, and its triangles in tiles. The context of initialize()
+/// must be current in every call, including the destructor.
 class ToothMaps : private QOpenGLFunctions_3_3_Core
 {
 public:
@@ -56,16 +56,16 @@ public:
     /// Returns false if the context has no OpenGL 3.3.
     [[nodiscard]] bool initialize();
 
-    /// Uploads a whole surface and replaces the one before.
+    /// Uploads a whole surface, which replaces the previous one.
     void setSurface(const ToothSurface& surface);
-    /// Uploads only what a refresh() of that surface changed.
+    /// Uploads only the parts that a refresh() of that surface has changed.
     void update(const ToothSurface& surface, const ToothSurface::Changes& changes);
     [[nodiscard]] bool isEmpty() const { return !m_lattice; }
     /// Returns whether the decay of the tooth has soft, leathery and firm zones.
     [[nodiscard]] bool hasDecayZones() const { return m_hasDecayZones; }
 
-    /// Returns the box of what is drawn of a rectangle of nodes, including what was drawn there before if part of it is
-    /// gone.
+    /// Returns the bounding box of a rectangle of nodes as drawn. It includes material that was drawn there before and
+    /// has been cut away.
     [[nodiscard]] Box boxOf(const core::terrain::NodeRect& rect) const;
 
     /// Tiles of one surface.
@@ -99,7 +99,7 @@ private:
         int count = 0;  ///< number of indices
         TileBounds upper;
         TileBounds lower;
-        // The largest extent it has had: what is gone must be painted over.
+        // The largest count so far, because removed parts must be painted over.
         int mostCount = 0;
         float lowestMm = std::numeric_limits<float>::max();
         float highestMm = std::numeric_limits<float>::lowest();
@@ -129,7 +129,7 @@ private:
     bool m_hasDecayZones = false;
     int m_tilesPerSide = 0;
     std::vector<Tile> m_tiles;
-    std::vector<float> m_shownTops;  ///< as last uploaded
+    std::vector<float> m_shownTops;  ///< top heights as last uploaded
     std::uint64_t m_uploadedBytes = 0;
 };
 

@@ -21,13 +21,13 @@
 namespace ui::render {
 namespace {
 
-constexpr double kWorkMm = 6.0;       ///< of the bur from its tip: what the handpiece must not hide
-constexpr double kWorkAsideMm = 2.2;  ///< and as much to either side of it
-constexpr float kWholeMesh = 1.0e6F;  ///< mm, higher than any part of the instrument
+constexpr double kWorkMm = 6.0;       ///< length of the bur, from its tip, that the handpiece must not hide
+constexpr double kWorkAsideMm = 2.2;  ///< and the width to either side of the bur
+constexpr float kWholeMesh = 1.0e6F;  ///< mm, higher than any part of the instrument: nothing fades
 constexpr double kNeighboursDimmed = 0.35;
-constexpr float kCueWide = 0.0034F;  ///< half the line under the bur, of half the height of the picture
-constexpr int kFreeUnit = 8;         ///< of a texture besides those of ToothMaps
-constexpr int kGlassCorners = 64;    ///< of the mirror's glass; glass.vert has the same
+constexpr float kCueWide = 0.0034F;  ///< half-width of the line under the bur, as a share of half the picture's height
+constexpr int kFreeUnit = 8;         ///< first texture unit that ToothMaps does not use
+constexpr int kGlassCorners = 64;    ///< corners of the mirror's glass; must equal the number in glass.vert
 
 void setMatrix(QOpenGLFunctions_3_3_Core& gl, QOpenGLShaderProgram& program, const char* name, const glm::mat4& matrix)
 {
@@ -55,8 +55,8 @@ glm::vec2 fadeOf(const std::vector<core::teeth::ArchPiece>& pieces)
     return fade.x > fade.y ? fade : glm::vec2(kNoFadeMm, kNoFadeMm - 1.0F);
 }
 
-/// Returns the size of a diamond's grains, mm: those of ISO 6360 are about 25 to 180 um. An unknown number is drawn as
-/// medium.
+/// Returns the size of a diamond's grains in mm; those of ISO 6360 are about 25 to 180 um. Returns that of a medium bur
+/// for an unknown grit number.
 double grainOf(int grit)
 {
     switch (grit) {
@@ -137,7 +137,7 @@ void ToothRenderer::update(const ToothSurface& surface, const ToothSurface::Chan
 {
     if (m_maps.isEmpty())
         return;
-    // What was there no longer holds, nor what comes.
+    // Invalidates the stored pictures where the surface was and where it is now.
     spoilStills(changes);
     m_maps.update(surface, changes);
     spoilStills(changes);
@@ -186,7 +186,7 @@ void ToothRenderer::draw(const Scene& scene)
     glDisable(GL_BLEND);
 }
 
-/// Draws tooth and room. Unless the plane is zero, only the part of the tooth before it is drawn.
+/// Draws the tooth and the room. Unless the plane is zero, only the part of the tooth in front of it is drawn.
 void ToothRenderer::drawStill(const Scene& scene, const glm::dvec4& clipPlane)
 {
     m_clipPlane = glm::vec4(clipPlane);
@@ -205,8 +205,8 @@ void ToothRenderer::drawStill(const Scene& scene, const glm::dvec4& clipPlane)
     view.look.burLight = false;
     StillPicture& still = m_stills[static_cast<std::size_t>((scene.eye != 0 ? 2 : 0) + (m_isMirrored ? 1 : 0))];
     if (samples > 0) {
-        // A fine picture is worth more than the one kept, which takes its smooth edges over. Its depths are drawn: of
-        // several samples a copy has one, which lies beside the middle of the pixel.
+        // Saves the smooth colours of a multisampled picture in the stored picture. Depths are drawn again: a copy
+        // would take one of several samples, which lies beside the middle of the pixel.
         drawRoom(scene, all);
         still.take(size, view);
         copyPixels(target, still.framebuffer(), size, GL_COLOR_BUFFER_BIT);
@@ -224,7 +224,8 @@ void ToothRenderer::drawStill(const Scene& scene, const glm::dvec4& clipPlane)
             glBindFramebuffer(GL_FRAMEBUFFER, still.framebuffer());
             drawRoom(scene, part);
         }
-        // With the stencil: the two are one, and a copy of a half of it is drawn instead.
+        // Copies the stencil too, because depth and stencil share one buffer and drivers draw a copy of a part of it
+        // instead.
         copyPixels(still.framebuffer(), target, size,
                    GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     }
@@ -238,7 +239,7 @@ void ToothRenderer::copyPixels(GLuint from, GLuint to, QSize size, GLbitfield wh
     glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(), what, GL_NEAREST);
 }
 
-/// Draws the whole room, limited to these pixels.
+/// Draws the whole room, clipped to a rectangle of pixels.
 void ToothRenderer::drawRoom(const Scene& scene, const QRect& part)
 {
     glEnable(GL_SCISSOR_TEST);
@@ -260,8 +261,8 @@ void ToothRenderer::drawRoom(const Scene& scene, const QRect& part)
     glDisable(GL_SCISSOR_TEST);
 }
 
-/// Draws the scene in the mirror: its mirror image, seen by the same eye. It has half the resolution of the picture,
-/// unless that has smooth edges.
+/// Draws the reflection in the mirror: the mirrored scene, seen by the same eye. Uses half the resolution of the
+/// picture unless the picture is multisampled.
 void ToothRenderer::drawReflection(const Scene& scene)
 {
     GLint target = 0;
@@ -306,8 +307,8 @@ void ToothRenderer::drawReflection(const Scene& scene)
     glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
 }
 
-/// Draws the mirror. Its frame: the origin in the middle, +z out of the glass, the handle towards +x, which points up
-/// as far as possible.
+/// Draws the mirror. In its frame the origin is in the middle, +z points out of the glass, and the handle points
+/// towards +x, which is turned upwards as far as possible.
 void ToothRenderer::drawMirror(const Scene& scene)
 {
     const glm::dvec3& z = scene.mirror->normal;
@@ -332,7 +333,7 @@ void ToothRenderer::drawMirror(const Scene& scene)
     glDrawArrays(GL_TRIANGLE_FAN, 0, kGlassCorners);
 }
 
-/// Draws the bur at the place of the hand.
+/// Draws a transparent bur at the position of the hand.
 void ToothRenderer::drawGhost(const Scene& scene)
 {
     useMetal(scene, toothFromBur(scene, *scene.ghostMm));
@@ -340,7 +341,7 @@ void ToothRenderer::drawGhost(const Scene& scene)
     m_metalProgram.setUniformValue("blur", 0.0F);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    // Through the tooth as well: where it is is what it tells.
+    // Visible through the tooth, because it shows where the hand is.
     glDisable(GL_DEPTH_TEST);
     drawPart(*m_burs[scene.burIndex]);
     glEnable(GL_DEPTH_TEST);
@@ -352,8 +353,8 @@ glm::dmat4 ToothRenderer::toothFromBur(const Scene& scene, const glm::dvec3& tip
     return glm::rotate(glm::translate(glm::dmat4(1.0), tipMm), scene.handAzimuthRad, glm::dvec3(0.0, 0.0, 1.0));
 }
 
-/// Returns the frame of shank and handpiece, which have their place on a bur without lift and lean. They lean about the
-/// top of the bur's neck once that has left the tooth.
+/// Returns the frame of shank and handpiece. Without lift and lean it is the frame of the bur. Once the top of the
+/// bur's neck has left the tooth, they lean about that point.
 glm::dmat4 ToothRenderer::toothFromHand(const Scene& scene)
 {
     const double headMm = core::bur::burs()[scene.burIndex].headLengthMm;
@@ -410,7 +411,7 @@ void ToothRenderer::drawBackdrop(const Scene& scene)
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/// Sets the uniforms of every program that draws lattice nodes.
+/// Sets the uniforms common to all programs that draw nodes of the lattice.
 void ToothRenderer::useTooth(QOpenGLShaderProgram& program, const Scene& scene)
 {
     program.bind();
@@ -448,7 +449,7 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     };
     if (m_fadeMm.x > kNoFadeMm) {
         glEnable(GL_BLEND);
-        // Alpha of the picture stays one: it is laid over a window.
+        // The picture's alpha stays 1, because it is composited over a window.
         glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     }
     glFrontFace(m_isMirrored ? GL_CW : GL_CCW);
@@ -463,8 +464,8 @@ void ToothRenderer::drawTooth(const Scene& scene, const QRect& part)
     glFrontFace(GL_CCW);
 }
 
-/// Multiplies the drawn picture by the changes of light from bur and handpiece. Only they move; the rest of the light
-/// does not.
+/// Multiplies the drawn picture by the light changes from bur and handpiece. Only these two move; the rest of the light
+/// is constant.
 void ToothRenderer::drawLightOfBur(const Scene& scene)
 {
     if (m_maps.isEmpty() || !scene.instrumentShown || scene.burIndex >= m_burs.size())
@@ -504,16 +505,16 @@ void ToothRenderer::drawInstrument(const Scene& scene)
     setMatrix(*this, m_metalProgram, "toothFromPart", glm::mat4(toothFromPart));
     drawPart(*m_shanks[scene.burIndex]);
 
-    // The handpiece is solid, except where it would hide the work.
+    // The handpiece is opaque except where it would hide the work.
     fadeOverTheCut(scene, toothFromPart);
     glEnable(GL_BLEND);
-    // Alpha of the picture stays one: it is laid over a window.
+    // The picture's alpha stays 1, because it is composited over a window.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     drawPart(m_handpiece);
     glDisable(GL_BLEND);
 }
 
-/// Sets where the metal is see-through: about the last millimetres of the bur on the screen.
+/// Sets where the metal is transparent: around the last millimetres of the bur on the screen.
 void ToothRenderer::fadeOverTheCut(const Scene& scene, const glm::dmat4& toothFromHand)
 {
     const glm::dmat4 clipFromTooth = scene.clipFromEye * scene.eyeFromTooth;
@@ -536,7 +537,7 @@ void ToothRenderer::fadeOverTheCut(const Scene& scene, const glm::dmat4& toothFr
     m_metalProgram.setUniformValue("tipAwayMm", static_cast<float>(glm::distance(scene.eyeMm, scene.tipMm)));
 }
 
-/// Draws a thin line from the tip to the tooth below it, where the bur will land.
+/// Draws a thin vertical line from the bur's tip to the point of the tooth where the bur would land.
 void ToothRenderer::drawCue(const Scene& scene)
 {
     if (!scene.surfaceBelowTipMm || scene.tipMm.z - *scene.surfaceBelowTipMm < 0.25)

@@ -28,7 +28,7 @@
 
 namespace ui::render {
 
-/// A height below every tooth, mm: with it, nothing fades.
+/// A height below every tooth, mm. With this height nothing fades.
 inline constexpr float kNoFadeMm = -1.0e6F;
 
 /// The contents of one picture besides the tooth itself.
@@ -42,25 +42,26 @@ struct Scene
 
     bool instrumentShown = false;
     std::size_t burIndex = 0;
-    glm::dvec3 tipMm{0.0};                    ///< of the bur
+    glm::dvec3 tipMm{0.0};                    ///< tip of the bur
     std::optional<double> surfaceBelowTipMm;  ///< height of the tooth under the tip, if there is any; the cue line ends
                                               ///< there
     double handAzimuthRad = 0.0;              ///< direction of the handle, about +z from +x
     double leanRad = 0.0;                     ///< of shank and handpiece from upright, so that they do not hide the
                                               ///< tooth
     double leanAzimuthRad = 0.0;              ///< direction of the lean, about +z from +x
-    double turnRad = 0.0;                     ///< of the bur about its axis
+    double turnRad = 0.0;                     ///< rotation of the bur about its axis
     bool drillOn = false;
-    glm::vec4 burTint{0.0F};  ///< colour of the bur's head, and its share
-    double liftMm = 0.0;      ///< of shank and handpiece along the bur, so that they clear the tooth
+    glm::vec4 burTint{0.0F};  ///< colour of the bur's head, and its opacity
+    double liftMm = 0.0;      ///< lift of shank and handpiece along the bur, so that they clear the tooth
 
-    std::optional<glm::dvec3> ghostMm;  ///< place where the hand holds the bur, drawn faintly
+    std::optional<glm::dvec3> ghostMm;  ///< position where the hand holds the bur, drawn transparent
     std::optional<DentalMirror> mirror;
     bool mirrorHandleLeft = true;  ///< the hand opposite the handpiece holds the mirror
     Look look;
 
     int eye = 0;  ///< 0: the left or only eye, 1: the right eye
-    /// Keeps the picture of what does not move: useful for a software driver, which draws slowly and copies fast.
+    /// Stores the picture of everything that does not move. Useful for a software driver, which draws slowly and copies
+    /// fast.
     bool keepsStill = false;
 };
 
@@ -72,21 +73,21 @@ public:
     ToothRenderer();
     ~ToothRenderer() override;
 
-    /// Compiles the shaders. Returns false if the context has no OpenGL 3.3 or refuses a shader, with the cause in
-    /// `reason`.
+    /// Compiles the shaders. Returns false if the context has no OpenGL 3.3 or rejects a shader, and writes the cause
+    /// to `reason`.
     [[nodiscard]] bool initialize(QString& reason);
 
-    /// Uploads a whole surface and replaces the one before.
+    /// Uploads a whole surface, which replaces the previous one.
     void setSurface(const ToothSurface& surface);
-    /// Uploads only what a refresh() of that surface changed.
+    /// Uploads only the parts that a refresh() of that surface has changed.
     void update(const ToothSurface& surface, const ToothSurface::Changes& changes);
-    /// Sets the pieces beside the tooth, in its frame; empty: none.
+    /// Sets the pieces beside the tooth, in the tooth's frame. Empty: none.
     void setNeighbours(std::vector<core::teeth::ArchPiece> pieces);
-    /// Draws into the whole viewport of the bound framebuffer. Without a surface: the empty room.
+    /// Draws into the whole viewport of the bound framebuffer. Without a surface it draws the empty room.
     void draw(const Scene& scene);
 
-    /// Returns the number of bytes that setSurface() and update() have written so far. For tests: a picture does not
-    /// show whether update() skipped what had not changed.
+    /// Returns the number of bytes that setSurface() and update() have uploaded so far. For tests: a picture does not
+    /// show whether update() skipped unchanged parts.
     [[nodiscard]] std::uint64_t uploadedBytes() const { return m_maps.uploadedBytes(); }
 
 private:
@@ -137,7 +138,7 @@ private:
                                                              ///< samples
     bool m_isMirrored = false;                               ///< the picture is a mirror image: front faces have the
                                                              ///< opposite orientation
-    glm::vec4 m_clipPlane{0.0F};                             ///< tooth frame; everything behind it is not drawn
+    glm::vec4 m_clipPlane{0.0F};                             ///< tooth frame; nothing behind it is drawn
 
     /// For each eye, direct and in the mirror.
     std::array<StillPicture, 4> m_stills;

@@ -23,24 +23,24 @@ using core::terrain::kEmptyTop;
 using core::terrain::NodeRect;
 using core::terrain::united;
 
-/// Of the light that is brought up to date in haste, from what was cut.
+/// Distance from a cut within which light is updated at once.
 constexpr float kHurriedReachMm = 0.5F;
-constexpr int kSweepNodes = 1000;       ///< of the light, in one go
-constexpr double kCrownMm = 8.0;        ///< tallest part of a tooth that is taken for its crown
-constexpr double kInsideMm = 2.0;       ///< from the outline, and more: no flank
-constexpr int kUncutReach = 3;          ///< to the next cut node, from which a flank is drawn as that of a whole tooth
-constexpr float kThinnestMm = 1.0e-4F;  ///< that a solid column is drawn
-constexpr int kFlankNodes = 3;          ///< from the rim inwards: nodes whose height is averaged along it
-constexpr float kFlankShift = 0.5F;     ///< cells at most that a node at a flank is moved
-constexpr int kFlankReach = 5;          ///< how far, nodes
+constexpr int kSweepNodes = 1000;  ///< nodes whose light is updated in one step
+constexpr double kCrownMm = 8.0;   ///< largest height that counts as a tooth's crown
+constexpr double kInsideMm = 2.0;  ///< distance from the outline, beyond which there is no flank
+constexpr int kUncutReach = 3;     ///< distance to the next cut node, from which a flank is drawn as in an uncut tooth
+constexpr float kThinnestMm = 1.0e-4F;  ///< thickness at which a solid column is drawn at least
+constexpr int kFlankNodes = 3;          ///< nodes from the rim inwards whose height is averaged along the rim
+constexpr float kFlankShift = 0.5F;     ///< cells that a node at a flank is moved at most
+constexpr int kFlankReach = 5;          ///< range of the averaging, nodes
 constexpr int kLipReach = 2;            ///< nodes over which a normal that turns sharply is averaged
 constexpr float kLipFades = 0.5F;
-constexpr float kLipTurns = 0.7F;  ///< cosine between neighbours from which it does so wholly
-constexpr float kLipFlat = 0.95F;  ///< and not at all
-constexpr int kOutlineBlur = 2;    ///< times that an outline is averaged over its neighbours
+constexpr float kLipTurns = 0.7F;  ///< cosine between neighbours below which a normal is averaged fully
+constexpr float kLipFlat = 0.95F;  ///< and above which it is not averaged
+constexpr int kOutlineBlur = 2;    ///< number of times that an outline is averaged over its neighbours
 constexpr glm::vec2 kNoIdeal(0.0F, ToothSurface::kOutlineFarMm);
-constexpr int kFissureReach = 5;     ///< along a fissure to each side, nodes
-constexpr float kGrooveFrom = 1.0F;  ///< bend across less that along, 1/mm, from which a groove is a fissure
+constexpr int kFissureReach = 5;     ///< range of averaging along a fissure to each side, nodes
+constexpr float kGrooveFrom = 1.0F;  ///< curvature across minus along, 1/mm, from which a groove is a fissure
 constexpr float kGrooveFull = 3.0F;
 
 ToothSurface::PackedNormal pack(glm::vec3 n)
@@ -123,9 +123,9 @@ void ToothSurface::takeAnatomy()
     m_indexCounts.assign(tiles, 0);
 }
 
-/// Finds the resting height. It is low enough that a bur beside the tooth is beside it, and high enough that the bur
-/// need not climb far: a quarter of the tooth is lower. No place to work on is lower, though: no fossa, no fissure and
-/// no decay. A lower place is a flank near the outline.
+/// Finds the resting height of the bur beside the tooth. A quarter of the tooth is lower, so a bur at this height is
+/// beside the tooth and need not climb far. No fossa, fissure or lesion is lower: a lower place is always a flank near
+/// the outline.
 void ToothSurface::findResting()
 {
     std::vector<float> heights;
@@ -140,7 +140,7 @@ void ToothSurface::findResting()
     m_restingMm = *quarter;
 
     const int side = m_lattice.side;
-    // Nodes to the outline, as a king walks.
+    // Distance to the outline in nodes, diagonal steps included.
     std::vector<int> inside(m_lattice.count(), 0);
     const int enough = static_cast<int>(std::ceil(kInsideMm / m_lattice.cellMm));
     std::vector<std::size_t> ring;
@@ -182,8 +182,8 @@ void ToothSurface::findResting()
         m_beside[k] = inside[k] > 0 && static_cast<double>(m_wholeTop[k]) >= m_restingMm ? 0 : 1;
 }
 
-/// Smooths fissures. A fissure is hardly wider than a cell, so its bottom would rise and fall with the lattice, like a
-/// rope. Where the surface is bent like a groove, its heights are averaged along the groove.
+/// Smooths fissures. A fissure is hardly wider than a cell, so its bottom would rise and fall with the lattice. Where
+/// the surface is curved like a groove, its heights are averaged along the groove.
 void ToothSurface::smoothFissures()
 {
     const int side = m_lattice.side;
@@ -240,7 +240,7 @@ void ToothSurface::smoothFissures()
 }
 
 /// Smooths flanks. Near the rim a flank falls by millimetres within a cell, so the height of its last nodes depends on
-/// the lattice, and they would look like a comb. They are averaged along the rim, not across.
+/// the lattice and would look like a comb. The heights are averaged along the rim, not across it.
 void ToothSurface::smoothFlanks()
 {
     m_flankTop = m_wholeTop;
@@ -290,7 +290,7 @@ void ToothSurface::smoothFlanks()
                 }
             }
             m_flankTop[k] = tops / weights;
-            // Higher than it was, the node stands further in, on the same flank: or the outline would show it.
+            // A node that was raised is moved inwards along the same flank; otherwise the outline would change.
             const glm::ivec2 inwards(glm::round(glm::vec2(i, j) - 1.5F * outwards));
             const std::size_t within = m_lattice.index(inwards.x, inwards.y);
             const float run = glm::length(glm::vec2(inwards - glm::ivec2(i, j))) * static_cast<float>(m_lattice.cellMm);
@@ -300,7 +300,7 @@ void ToothSurface::smoothFlanks()
             m_flankBottom[k] = std::min(bottoms / weights, m_flankTop[k]);
         }
     }
-    // Where the junction is as steep as the neck it meets, it is drawn as that is.
+    // Where the junction is as steep as the neck that it meets, it is drawn the same way as the neck.
     std::vector<float> junction(m_lattice.count(), kEmptyTop);
     for (std::size_t k = 0; k < junction.size(); ++k)
         if (m_wholeTop[k] > m_wholeBottom[k])
@@ -418,7 +418,7 @@ void ToothSurface::sew(const NodeRect& written)
     }
 }
 
-/// Calls use(node, weight) for the rim nodes at and around a place; near ones have more weight.
+/// Calls use(node, weight) for the rim nodes at and around a position. Near nodes have larger weights.
 template <class Use>
 void ToothSurface::forRimAround(int i, int j, Use&& use) const
 {
@@ -435,8 +435,8 @@ void ToothSurface::forRimAround(int i, int j, Use&& use) const
     }
 }
 
-/// Smooths the rim. At a steep flank the last solid node, and so the height of the rim, depends on the lattice. The rim
-/// of a tooth has no such jumps, so its heights are averaged along it.
+/// Smooths the rim. At a steep flank the last solid node, and with it the height of the rim, depends on the lattice. A
+/// real rim has no such jumps, so the heights are averaged along it.
 void ToothSurface::smoothRim(const NodeRect& rect)
 {
     for (int j = rect.beginJ; j < rect.endJ; ++j) {
@@ -475,14 +475,15 @@ void ToothSurface::smoothOutline(const NodeRect& rect)
                 sum += weight * glm::vec2(m_lattice.nodeMm(n));
                 weights += weight;
             });
-            // Never further than the next node: triangles must not turn over.
+            // Moves a node less than half a cell, so that triangles do not turn over.
             const float limit = 0.45F * static_cast<float>(m_lattice.cellMm);
             m_places[k] = home + glm::clamp(sum / weights - home, -limit, limit);
         }
     }
 }
 
-/// Returns the slope of a height map by a 3 x 3 Sobel operator over the visible nodes; a missing one is mirrored.
+/// Returns the slope of a height map by a 3 x 3 Sobel operator over the visible nodes. A missing node is replaced by
+/// the mirror image of the opposite one.
 glm::vec2 ToothSurface::slope(const std::vector<float>& heights, int i, int j) const
 {
     const float here = heights[m_lattice.index(i, j)];
@@ -499,7 +500,7 @@ glm::vec2 ToothSurface::slope(const std::vector<float>& heights, int i, int j) c
     return {(e - w) / cell, (n - s) / cell};
 }
 
-/// Returns 1 if all nodes around a node are uncut, 0 if it is cut.
+/// Returns 1 if all nodes around a node are uncut, 0 if the node itself is cut, and values between them near a cut.
 float ToothSurface::uncutAround(int i, int j) const
 {
     int nearest2 = kUncutReach * kUncutReach;
@@ -517,8 +518,8 @@ float ToothSurface::flankNormal(std::size_t map, std::size_t k, glm::vec3& norma
                               map == 0 ? m_tops[k] : m_bottoms[k], normal);
 }
 
-/// Returns a softened normal. At the lip of a cut the surface turns by a right angle within a cell, and triangles would
-/// show its corners. So the turn is spread over a few cells.
+/// Returns a smoothed normal. At the lip of a cut the surface turns by a right angle within a cell, and the triangles
+/// would be visible. The turn is therefore spread over a few cells.
 glm::vec3 ToothSurface::softNormal(int map, int i, int j) const
 {
     static const auto fades = [] {
@@ -547,7 +548,8 @@ glm::vec3 ToothSurface::softNormal(int map, int i, int j) const
 
 NodeRect ToothSurface::bendNormals(const NodeRect& rect)
 {
-    // Solid nodes from the slopes, then the rim from its solid neighbours: it looks straight outwards, for both maps.
+    // Normals of solid nodes come from the slopes. Normals of rim nodes come from their solid neighbours and point
+    // straight outwards in both maps.
     const NodeRect calm = grown(rect, kLipReach, m_lattice);
     const NodeRect raw = grown(calm, core::terrain::kCalmReach, m_lattice);
     for (int j = raw.beginJ; j < raw.endJ; ++j) {
@@ -610,7 +612,7 @@ NodeRect ToothSurface::bendNormals(const NodeRect& rect)
             };
             glm::vec3 top = bent(0);
             glm::vec3 bottom = bent(1);
-            // Where the surfaces meet nothing shall show of it.
+            // Both surfaces get the same normal where they meet, so that the seam is invisible.
             if (m_nodes[k] == Node::Rim)
                 if (const glm::vec3 both = top + bottom; glm::dot(both, both) > 0.0F)
                     top = bottom = glm::normalize(both);
@@ -643,7 +645,7 @@ std::vector<ToothSurface::Stretch> ToothSurface::buildTriangles(const NodeRect& 
             const std::size_t begin = at;
             Stretch differs{at + kTileIndices, at};
             const auto triangle = [&](std::size_t a, std::size_t b, std::size_t c) {
-                // Three rim nodes lie in both surfaces: nothing to see there.
+                // Three rim nodes lie in both surfaces, so nothing is drawn between them.
                 if (m_nodes[a] != Node::Solid && m_nodes[b] != Node::Solid && m_nodes[c] != Node::Solid)
                     return;
                 if (m_nodes[a] == Node::Empty || m_nodes[b] == Node::Empty || m_nodes[c] == Node::Empty)
@@ -660,7 +662,7 @@ std::vector<ToothSurface::Stretch> ToothSurface::buildTriangles(const NodeRect& 
                     const std::size_t b = m_lattice.index(i + 1, j);
                     const std::size_t c = m_lattice.index(i + 1, j + 1);
                     const std::size_t d = m_lattice.index(i, j + 1);
-                    // The flatter diagonal follows a wall instead of crossing it.
+                    // The flatter diagonal runs along a wall instead of across it.
                     if (std::abs(m_tops[a] - m_tops[c]) <= std::abs(m_tops[b] - m_tops[d])) {
                         triangle(a, b, c);
                         triangle(a, c, d);
@@ -693,7 +695,7 @@ double ToothSurface::heightMm(glm::dvec2 pointMm) const
     return between(pointMm, [this](std::size_t k) { return pickHeight(k); });
 }
 
-/// Interpolates between the four nodes around a point on the lattice; at the edge, the nearest value is taken.
+/// Interpolates between the four nodes around a point on the lattice. At the edge it returns the nearest value.
 template <class Value>
 double ToothSurface::between(glm::dvec2 pointMm, Value&& value) const
 {
@@ -707,7 +709,8 @@ double ToothSurface::between(glm::dvec2 pointMm, Value&& value) const
            v * ((1.0 - u) * of(i, j + 1) + u * of(i + 1, j + 1));
 }
 
-/// The same if all four are there; otherwise the nearest value, if that is there.
+/// Interpolates as between() does if all four nodes exist. Otherwise returns the nearest node's value if that node
+/// exists.
 template <class IsThere, class Value>
 std::optional<double> ToothSurface::where(glm::dvec2 pointMm, IsThere&& isThere, Value&& value) const
 {
@@ -777,8 +780,8 @@ void ToothSurface::setIdeal(const core::grading::IdealTop& ideal)
     smoothIdealOutline();
 }
 
-/// Averages over neighbours (1 2 1 along x and along y), so that the outline of an upright wall does not show the
-/// lattice.
+/// Averages the outline over its neighbours (1 2 1 along x and y), so that the outline of an upright wall does not show
+/// the lattice.
 void ToothSurface::smoothIdealOutline()
 {
     const auto side = static_cast<std::size_t>(m_lattice.side);
@@ -834,14 +837,14 @@ double ToothSurface::crownRadiusMm() const
 
 bool ToothSurface::meetPlane(const Ray& ray, double heightMm, glm::dvec3& pointMm)
 {
-    // A ray that grazes would be followed for metres.
+    // Rejects rays that are nearly horizontal, which would be followed for metres.
     if (ray.direction.z > -0.02)
         return false;
     pointMm = ray.originMm + ray.direction * ((heightMm - ray.originMm.z) / ray.direction.z);
     return true;
 }
 
-/// Returns where a ray first is below a height, which `height` gives for a point seen from above.
+/// Returns the point where a ray first falls below a height. `height` returns that height for a point seen from above.
 template <class Height>
 std::optional<glm::dvec3> ToothSurface::firstBelow(const Ray& ray, Height&& height) const
 {

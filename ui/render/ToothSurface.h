@@ -28,17 +28,17 @@ struct Ray
     glm::dvec3 direction{0.0, 0.0, -1.0};
 };
 
-/// The view's copy of a tooth: the two height maps as drawn, with all derived data (sewn rim, normals, light,
+/// The view's copy of a tooth: the two height maps as drawn, all data derived from them (sewn rim, normals, light,
 /// triangles), and intersections with view rays. No OpenGL.
 ///
-/// The drawn lattice is the tooth's own up to kMaxSide nodes a side, and every second, third or fourth node of a finer
-/// one. Ui thread.
+/// The drawn lattice is the tooth's own if that has at most kMaxSide nodes on a side. Otherwise it is every second,
+/// third or fourth node of it. Ui thread.
 class ToothSurface
 {
 public:
     static constexpr int kMaxSide = 300;
     static constexpr int kTileCells = 16;
-    /// Number of indices of a square tile, which has its own range of the index buffer.
+    /// Number of indices of a square tile. Each tile has its own range of the index buffer.
     static constexpr int kTileIndices = kTileCells * kTileCells * 6;
 
     /// A range of indices().
@@ -50,30 +50,30 @@ public:
     /// The parts that a refresh() changed.
     struct Changes
     {
-        core::terrain::NodeRect heights;  ///< heights and places
+        core::terrain::NodeRect heights;  ///< heights and positions
         core::terrain::NodeRect normals;
         core::terrain::NodeRect light;
         std::vector<Stretch> triangles;
 
-        /// Returns the number of bytes of the rectangles in all their maps, without the triangles.
+        /// Returns the size in bytes of these rectangles in all their maps, without the triangles.
         [[nodiscard]] std::size_t bytes() const;
     };
 
     /// @param towardsLight  unit vector to the operating light, tooth frame, z > 0
     ToothSurface(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, glm::vec3 towardsLight);
 
-    /// Sets the heights of one tile. Derived data change with the next refresh() only.
+    /// Sets the heights of one tile. Derived data are updated by the next refresh().
     void write(const core::servo::TilePatch& patch);
     /// Sets the whole top map, over the anatomy's grid.
     void write(const std::vector<float>& top);
-    /// Updates all derived data and returns what changed.
-    /// @param hurried  leaves the light farther than half a millimetre from a change for later: it changes little and
+    /// Updates all derived data and returns what has changed.
+    /// @param hurried  does not update light farther than half a millimetre from a change, which changes little and
     ///                 takes the longest
     Changes refresh(bool hurried = false);
-    /// Returns whether light was left for later.
+    /// Returns whether some light has not been updated yet.
     [[nodiscard]] bool isBehind() const { return !m_lightDue.isEmpty() || isSweeping(); }
-    /// Updates some rows of that light, for a millisecond or two. Repeated calls sweep over all that was left when the
-    /// sweep began.
+    /// Updates some rows of that light, in a millisecond or two. Repeated calls complete all that was pending when the
+    /// first one began.
     Changes sweepLight();
     [[nodiscard]] bool isSweeping() const { return !m_sweep.isEmpty(); }
     /// Sets the ideal surface, over the anatomy's grid; null: the original surface.
@@ -87,37 +87,39 @@ public:
     [[nodiscard]] const core::terrain::Grid& lattice() const { return m_lattice; }
     [[nodiscard]] bool isSolid(int i, int j) const { return m_nodes[m_lattice.index(i, j)] == Node::Solid; }
 
-    /// Finds where a bur that follows the ray goes: the first point where the ray meets the chewing surface from above
-    /// or, beside it, the plane at restingHeightMm(). Both join without a step at the sides of the tooth, so that a
-    /// moving ray gives a moving point. Returns false if the ray does not point down.
+    /// Finds the position of a bur that follows the ray: the first point where the ray meets the occlusal surface from
+    /// above or, beside it, the plane at restingHeightMm(). The two join without a step at the sides of the tooth, so a
+    /// moving ray moves the point continuously. Returns false if the ray does not point downwards.
     [[nodiscard]] bool meet(const Ray& ray, glm::dvec3& pointMm) const;
-    /// Finds where a ray meets the horizontal plane at a height. Returns false if the ray does not point down.
+    /// Finds the point where a ray meets the horizontal plane at a height. Returns false if the ray does not point
+    /// downwards.
     [[nodiscard]] static bool meetPlane(const Ray& ray, double heightMm, glm::dvec3& pointMm);
     /// Returns the highest point of the tooth within a radius, or restingHeightMm() if there is none.
     [[nodiscard]] double highestWithinMm(glm::dvec2 centreMm, double radiusMm) const;
-    /// Returns the highest point along the way between two points: a bur of that radius must be lifted over it.
+    /// Returns the highest point along the path between two points, over which a bur of that radius must be lifted.
     [[nodiscard]] double highestBetweenMm(glm::dvec2 fromMm, glm::dvec2 toMm, double radiusMm) const;
-    /// Returns the height of the chewing surface below a point, or restingHeightMm() beside it.
+    /// Returns the height of the occlusal surface below a point, or restingHeightMm() beside it.
     [[nodiscard]] double heightMm(glm::dvec2 pointMm) const;
 
-    /// Returns the current height of the tooth at a point, down to the neck; empty beside the tooth and in a hole.
+    /// Returns the current height of the tooth at a point, down to the neck. Empty beside the tooth and in a
+    /// perforation.
     [[nodiscard]] std::optional<double> topMm(glm::dvec2 pointMm) const;
-    /// Returns the first point where the ray meets the tooth from above, flanks included.
+    /// Returns the first point where the ray meets the tooth from above, flanks included. Empty if there is none.
     [[nodiscard]] std::optional<glm::dvec3> meetTooth(const Ray& ray) const;
     /// Returns the depth of a point of the tooth below the uncut surface, mm.
     [[nodiscard]] double belowUncutMm(const glm::dvec3& pointMm) const;
-    /// Returns the depth below the ideal surface, mm; negative above it, where material is left.
+    /// Returns the depth below the ideal surface, mm. Negative above it, where material is left.
     [[nodiscard]] double belowIdealMm(const glm::dvec3& pointMm) const;
     /// Returns the height at which a bur waits beside the tooth.
     [[nodiscard]] double restingHeightMm() const { return m_restingMm; }
-    /// The bounding box of the uncut tooth.
+    /// Return the bounding box of the uncut tooth.
     [[nodiscard]] glm::dvec3 lowestMm() const { return m_lowestMm; }
     [[nodiscard]] glm::dvec3 highestMm() const { return m_highestMm; }
-    /// The sphere around the crown without roots, which a view must show.
+    /// Return the bounding sphere of the crown without roots, which a view must show.
     [[nodiscard]] glm::dvec3 crownMiddleMm() const;
     [[nodiscard]] double crownRadiusMm() const;
 
-    // The arrays that the renderer uploads: over the lattice, row by row, i fast.
+    // The arrays that the renderer uploads: one value per node of the lattice, row by row, i fastest.
     [[nodiscard]] const std::vector<float>& tops() const { return m_tops; }  ///< as drawn: sewn, walls smoothed; mm
     [[nodiscard]] const std::vector<float>& bottoms() const { return m_bottoms; }
     [[nodiscard]] const std::vector<glm::vec2>& places() const { return m_places; }  ///< x, y of each node, mm
@@ -133,19 +135,19 @@ public:
     /// x: floor of the pulp, mm. y: share of decayed columns around a node, one half on the outline of a lesion. z: the
     /// uncut surface, mm. w: share of columns around it with open decay.
     [[nodiscard]] const std::vector<glm::vec4>& lowerLayers() const { return m_lowerLayers; }
-    /// The ideal preparation at each node: depth of its surface below the uncut one, and distance of the node to its
-    /// outline, negative inside, at most kOutlineFarMm; mm.
+    /// The ideal preparation at each node, mm: the depth of its surface below the uncut one, and the distance of the
+    /// node from its outline, which is negative inside and at most kOutlineFarMm.
     [[nodiscard]] const std::vector<glm::vec2>& ideal() const { return m_ideal; }
     static constexpr float kOutlineFarMm = 0.4F;
-    /// Returns the triangles of the upper surface, tile by tile; the lower surface has the same with opposite
-    /// orientation.
+    /// Returns the number of tiles on a side. The triangles of the upper surface are stored tile by tile; the lower
+    /// surface has the same triangles with opposite orientation.
     [[nodiscard]] int tilesPerSide() const { return m_tilesPerSide; }
     [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return m_indices; }  ///< kTileIndices per tile
     [[nodiscard]] const std::vector<int>& indexCounts() const { return m_indexCounts; }    ///< number used in each tile
 
 private:
     enum class Node : std::uint8_t { Empty, Rim, Solid };
-    static constexpr int kRimReach = 3;  ///< distance of smoothing along the rim, nodes
+    static constexpr int kRimReach = 3;  ///< range of smoothing along the rim, nodes
 
     void takeAnatomy();
     void findResting();
@@ -180,15 +182,15 @@ private:
 
     std::shared_ptr<const core::terrain::ToothAnatomy> m_anatomy;
     core::terrain::Grid m_lattice;
-    int m_stride = 1;  ///< nodes of the anatomy's grid to one of the lattice
+    int m_stride = 1;  ///< nodes of the anatomy's grid per node of the lattice
 
     std::vector<float> m_wholeTop;
     std::vector<float> m_wholeBottom;
     std::vector<float> m_top;
-    std::vector<float> m_flankTop;         ///< whole top as drawn: without the lattice's steps at flanks and fissures
-    std::vector<float> m_flankBottom;      ///< likewise from below
-    std::vector<glm::vec2> m_flankShifts;  ///< of uncut nodes at the flanks, mm
-    std::vector<float> m_flankDej;         ///< enamel-dentin junction without streaks in thin enamel at a flank
+    std::vector<float> m_flankTop;         ///< uncut top as drawn: without the lattice's steps at flanks and fissures
+    std::vector<float> m_flankBottom;      ///< uncut bottom, likewise
+    std::vector<glm::vec2> m_flankShifts;  ///< displacement of uncut nodes at the flanks, mm
+    std::vector<float> m_flankDej;         ///< enamel-dentin junction without streaks in the thin enamel of a flank
     std::vector<Node> m_nodes;
     std::vector<float> m_solidTop;     ///< as drawn, kEmptyTop where no material is left
     std::vector<float> m_solidBottom;  ///< as drawn, kEmptyBottom where no material is left
@@ -197,8 +199,8 @@ private:
     std::vector<float> m_drawnTop;  ///< m_solidTop without the lattice's steps in its walls
     std::vector<float> m_drawnBottom;
     std::vector<float> m_risen;       ///< inverted bottoms, as SteepGround expects them
-    std::vector<glm::vec2> m_shifts;  ///< of each solid node, mm
-    std::vector<float> m_sewn;        ///< of rim nodes, before smoothing along the rim
+    std::vector<glm::vec2> m_shifts;  ///< displacement of each solid node, mm
+    std::vector<float> m_sewn;        ///< heights of rim nodes before smoothing along the rim
     std::vector<float> m_tops;
     std::vector<float> m_bottoms;
     std::vector<glm::vec2> m_places;
@@ -212,14 +214,14 @@ private:
     std::vector<glm::vec2> m_ideal;
     std::vector<std::uint32_t> m_indices;
     std::vector<int> m_indexCounts;
-    std::vector<std::uint8_t> m_beside;  ///< 1: outside the chewing surface, where a bur waits at the resting height
+    std::vector<std::uint8_t> m_beside;  ///< 1: outside the occlusal surface, where a bur rests at the resting height
     int m_tilesPerSide = 0;
     double m_restingMm = 0.0;
     glm::dvec3 m_lowestMm{0.0};
     glm::dvec3 m_highestMm{0.0};
     core::terrain::NodeRect m_written;
     core::terrain::NodeRect m_lightDue;
-    core::terrain::NodeRect m_sweep;  ///< the rest of m_lightDue in a sweep
+    core::terrain::NodeRect m_sweep;  ///< the part of m_lightDue that a sweep has not reached
 };
 
 }  // namespace ui::render

@@ -11,7 +11,7 @@ namespace {
 using AnatomyPointer = std::shared_ptr<const core::terrain::ToothAnatomy>;
 using SurfacePointer = std::shared_ptr<const ToothSurface>;
 
-/// The last teeth, newest first: the user's own, and one that is viewed meanwhile.
+/// The last surfaces, newest first: of the user's tooth, and of one that they view meanwhile.
 struct LastSurfaces
 {
     std::mutex mutex;

@@ -6,10 +6,10 @@
 namespace ui::replay {
 namespace {
 
-/// Moments nearer than this are equal: the reported position is one update behind.
+/// Moments closer than this are equal, because the reported position is one update late.
 constexpr double kSameS = 0.025;
 
-/// Returns whether a mark changed the tooth or its display.
+/// Returns whether a mark changed the tooth or how it is displayed.
 bool isStep(const Mark& mark)
 {
     return mark.kind == Mark::Kind::Undo || mark.kind == Mark::Kind::Redo || mark.kind == Mark::Kind::StartAgain ||

@@ -18,7 +18,7 @@ struct Stroke
 {
     double fromS = 0.0;
     double toS = 0.0;
-    double doneS = 0.0;  ///< the moment at which all of its cut is visible
+    double doneS = 0.0;  ///< moment at which its whole cut is visible
     std::uint8_t burIndex = 0;
     bool operator==(const Stroke&) const = default;
 };
@@ -31,7 +31,7 @@ struct Mark
         Redo,
         StartAgain,
         Bur,        ///< value: index of the new bur
-        Handpiece,  ///< name: of the new handpiece
+        Handpiece,  ///< name: the new handpiece
         Aids,       ///< value: the aids in use from now on, bits of core::servo::Aid
         Note,       ///< value: its code
         Home,       ///< the device moved the hand to its start
@@ -64,7 +64,7 @@ struct Remark
     bool operator==(const Remark&) const = default;
 };
 
-/// An idle interval of the student, which does not count as time of the attempt.
+/// An idle interval, which does not count as time of the attempt.
 struct Rest
 {
     double fromS = 0.0;
@@ -72,11 +72,11 @@ struct Rest
     bool operator==(const Rest&) const = default;
 };
 
-/// The known part of an attempt, for a time line. All lists are in order of time.
+/// The known part of an attempt, for a time line. All lists are sorted by time.
 struct AttemptTimeline
 {
     double lengthS = 0.0;
-    double readyS = 0.0;  ///< the attempt is known, and can be shown, up to here
+    double readyS = 0.0;  ///< the attempt is known, and can be shown, up to this moment
     std::vector<Stroke> strokes;
     std::vector<Mark> marks;
     std::vector<core::grading::Infraction> infractions;
@@ -84,16 +84,17 @@ struct AttemptTimeline
     std::vector<Remark> remarks;
     std::vector<Rest> rests;
 
-    /// Returns the first end of a stroke, undo step or touched point after a moment; the end of the attempt if there is
-    /// none.
+    /// Returns the first moment after this one at which a stroke, an undo step or the touch of a point ends. Returns
+    /// the end of the attempt if there is none.
     [[nodiscard]] double stepAfter(double seconds) const;
-    /// Returns the last such event before a moment; 0 if there is none.
+    /// Returns the last such moment before this one, or 0 if there is none.
     [[nodiscard]] double stepBefore(double seconds) const;
-    /// Returns the comments to show at a moment: from kLeadUpS before a comment's own moment until kReadS after it.
+    /// Returns the comments to show at a moment. A comment is shown from kLeadUpS before its own moment until kReadS
+    /// after it.
     [[nodiscard]] std::vector<Remark> remarksAt(double seconds) const;
 };
 
-/// Lead time with which an infraction or a comment is replayed, s.
+/// Lead time with which a rule violation or a comment is replayed, s.
 inline constexpr double kLeadUpS = 1.0;
 /// Lead time with which a moment of lost points is replayed, s.
 inline constexpr double kBeforeMomentS = 2.0;

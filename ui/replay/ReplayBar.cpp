@@ -29,10 +29,10 @@ using namespace ui::practice;
 
 constexpr std::array<double, 8> kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 constexpr std::size_t kAsMade = 3;
-/// Time after a seek during which the report is still about the moment before.
+/// Time after a seek during which the reported position may still be the one before.
 constexpr qint64 kBehindMs = 100;
 constexpr double kThereS = 0.05;
-constexpr int kWordsFromPx = 1400;  ///< a narrower bar has no place for them
+constexpr int kWordsFromPx = 1400;  ///< a narrower bar has icons only
 
 }  // namespace
 
@@ -155,7 +155,7 @@ void ReplayBar::changeSpeed(bool faster)
 void ReplayBar::showTime()
 {
     m_line->setPosition(m_positionS);
-    // Never past the end, and at the end the very end: both read the same there.
+    // Never shows a position past the end.
     const double shownS = std::min(m_positionS, m_course.lengthS);
     //: Progress of a recording: minutes and seconds played, and of the whole
     m_time->setText(tr("%1 of %2").arg(text::duration(shownS), text::duration(m_course.lengthS)));

@@ -27,19 +27,19 @@ class ReplayBar final : public QFrame
 public:
     ReplayBar(const kit::Actions& actions, practice::ViewMenu& viewMenu, QWidget* parent);
 
-    /// Starts a recording of this length at normal speed. Call setCourse() as more of it becomes known.
+    /// Starts a recording of this length at normal speed. Call setCourse() again as more of it becomes known.
     void begin(double lengthS);
     void setCourse(const AttemptTimeline& course);
-    /// Sets the attempt shown for comparison; none if its length is 0.
+    /// Sets the attempt shown for comparison. Length 0: none.
     void setBeside(const AttemptTimeline& beside);
     /// Sets the current moment.
     void setPosition(double seconds);
 
-    /// Seeks to the end of the next stroke, or of the one before.
+    /// Seeks to the end of the next or the previous stroke.
     void step(bool onward);
     void goToBegin() { seek(0.0); }
     void goToEnd() { seek(m_course.lengthS); }
-    /// Chooses the next higher or lower speed.
+    /// Selects the next higher or lower speed.
     void changeSpeed(bool faster);
 
 signals:

@@ -30,20 +30,20 @@ constexpr int kMarksPx = 16;
 constexpr int kStrokesPx = 14;
 constexpr int kStrokeLanePx = kMarksPx + kStrokesPx + 2;
 constexpr int kScalePx = 16;
-constexpr int kSidePx = 16;           ///< left free at both ends, for the knob
-constexpr double kNarrowestPx = 2.0;  ///< of a stroke
+constexpr int kSidePx = 16;           ///< margin at both ends, for the knob
+constexpr double kNarrowestPx = 2.0;  ///< least width of a stroke
 constexpr double kHitPx = 6.0;
-constexpr double kMostLabelsPx = 72.0;  ///< from one time on the scale to the next, at least
-constexpr double kSignPx = 6.0;         ///< half a sign
-constexpr int kMostWords = 280;         ///< characters of a remark; all of it stands on the score card
+constexpr double kMostLabelsPx = 72.0;  ///< least distance between two times on the scale
+constexpr double kSignPx = 6.0;         ///< half the size of a sign
+constexpr int kMostWords = 280;         ///< characters of a comment in the tooltip; the score card shows all of it
 
-/// Least contrast of a bar on its bed (WCAG 2.1, 1.4.11).
+/// Least contrast between a bar and its background (WCAG 2.1, 1.4.11).
 constexpr double kBarContrast = 3.0;
 
 /// Colours of the common burs, after Okabe and Ito, in the order of core::bur::burs().
 constexpr std::array<QRgb, core::bur::kCommonBurs> kCommonBurColours{0xFF56B4E9, 0xFFE69F00, 0xFF2FB98D, 0xFFD991BD};
 
-/// Returns the number under which a bur is sold: "330".
+/// Returns the catalogue number of a bur: "330".
 QString burNumber(std::uint64_t index)
 {
     const auto burs = core::bur::burs();
@@ -92,7 +92,7 @@ void paintRemark(QPainter& painter, QPointF at)
     painter.drawLine(at + QPointF(-3.5, -0.6), at + QPointF(1.5, -0.6));
 }
 
-/// Paints an arrow head in the direction in which time jumped.
+/// Paints an arrow in the direction in which time jumped.
 void paintArrow(QPainter& painter, QPointF at, double way)
 {
     painter.drawLine(at + QPointF(3.5 * way, 0.0), at - QPointF(3.5 * way, 0.0));
@@ -136,7 +136,7 @@ void paintMark(QPainter& painter, QPointF at, const Mark& mark)
     }
 }
 
-/// Returns the words of an answer that was given in an exercise; empty for other notes.
+/// Returns the text of an answer given in an exercise, or an empty string for other marks.
 QString noteWords(std::uint64_t code)
 {
     if (const auto answer = core::grading::answerOf(code); answer && answer->pad < core::grading::kPads)
@@ -160,7 +160,7 @@ QColor burColour(std::uint8_t index)
 {
     if (index < kCommonBurColours.size())
         return kCommonBurColours.at(index);
-    // Steps of the golden ratio spread any number of hues evenly.
+    // Steps of the golden ratio distribute any number of hues evenly.
     constexpr double kGoldenRatio = 0.61803398875;
     constexpr std::array kLightness{0.62F, 0.74F, 0.86F};
     const double turns = kGoldenRatio * index;
@@ -348,7 +348,7 @@ void TimeLine::paintLane(QPainter& painter, const Lane& lane) const
     }
 }
 
-/// Paints the marks. Infractions come last, so that no mark hides them, and remarks by people before them.
+/// Paints the marks. Rule violations are painted last, so that no mark hides them, and comments just before them.
 void TimeLine::paintMarks(QPainter& painter, const Lane& lane) const
 {
     const double y = lane.top + kMarksPx / 2.0;

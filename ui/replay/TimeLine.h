@@ -8,9 +8,10 @@
 
 namespace ui::replay {
 
-/// The time line of an attempt: strokes as bars coloured by bur; above them other events, infractions first; comments;
-/// and the current moment. Dragging seeks; a click on an infraction or a comment seeks to kLeadUpS before it; a tooltip
-/// describes the event under the pointer. Below, with its own axis, an attempt shown for comparison.
+/// The time line of an attempt: strokes as bars coloured by bur; above them other events, with rule violations in
+/// front, and comments; and the current moment. Dragging seeks. A click on a rule violation or a comment seeks to
+/// kLeadUpS before it. A tooltip describes the event under the pointer. An attempt shown for comparison is below, with
+/// its own axis.
 class TimeLine final : public QWidget
 {
     Q_OBJECT
@@ -18,7 +19,7 @@ public:
     explicit TimeLine(QWidget* parent);
 
     void setCourse(const AttemptTimeline& course);
-    /// @param beside  with length 0: none
+    /// @param beside  attempt for comparison; length 0: none
     void setBeside(const AttemptTimeline& beside);
     /// Sets the current moment.
     void setPosition(double seconds);
@@ -29,7 +30,7 @@ public:
 
     /// Returns the position of a moment on the line, px.
     [[nodiscard]] double xOf(double seconds) const;
-    /// Returns the events at a place, one per line; empty if there are none.
+    /// Returns the events at a position, one per line. Empty if there are none.
     [[nodiscard]] QStringList saidAt(const QPoint& place) const;
 
 signals:
@@ -43,7 +44,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    /// One attempt of the time line, and the top of its lanes.
+    /// One attempt on the time line, and the top of its lanes.
     struct Lane
     {
         const AttemptTimeline& course;
@@ -65,11 +66,11 @@ private:
 };
 
 /// Returns the colour of a bur by its index in core::bur::burs(). All burs have different colours. Those of the common
-/// burs also differ for people with colour blindness, and the number of the bur is drawn beside each change of bur.
+/// burs are also distinct for users with colour blindness, and the number of the bur is drawn at each change of bur.
 [[nodiscard]] QColor burColour(std::uint8_t index);
 /// Returns a text such as "Undone", "Bur 2: Pear, No. 330" or "Handpiece: Turbine".
 [[nodiscard]] QString markWords(const Mark& mark);
-/// Returns a comment with its author, shortened: "Tina Teacher: here the wall leans in".
+/// Returns a comment with its author, elided: "Tina Teacher: here the wall leans in".
 [[nodiscard]] QString remarkWords(const Remark& remark);
 
 }  // namespace ui::replay

@@ -24,16 +24,16 @@ struct Words
 
 constexpr double kNamePt = 130.0;
 constexpr double kLastPt = 48.0;
-constexpr double kCellPt = 44.0;  ///< or as much as the longest word of a lesson's title
+constexpr double kCellPt = 44.0;  ///< minimum; the longest word of a title may need more
 constexpr double kCellGapPt = 4.0;
 constexpr double kRowPt = 14.0;
-constexpr double kHeadsPt = 47.0;   ///< four lines of a lesson's title, and when it is due
-constexpr double kTitlesPt = 44.0;  ///< of the matrix, with the words that explain its signs
-constexpr int kBegunRows = 8;       ///< at least so many rows of a part stand on the page where it begins
+constexpr double kHeadsPt = 47.0;   ///< height of four lines of a lesson's title and its due date
+constexpr double kTitlesPt = 44.0;  ///< height of the matrix's title and legend
+constexpr int kBegunRows = 8;       ///< least number of rows on the page where a part begins
 constexpr double kChartPt = 150.0;
 constexpr int kShownHash = 16;
 
-/// Paints the names of the students who need the teacher.
+/// Paints the names of the students who need help, by kind of need.
 void paintNeeds(Sheet& sheet, const people::ClassModel& model)
 {
     const auto list = [&](Need need, const QString& what) {
@@ -52,14 +52,14 @@ void paintNeeds(Sheet& sheet, const people::ClassModel& model)
     list(Need::NotBegun, Words::tr("Logged in, no graded attempt yet"));
 }
 
-/// Returns a date: on paper "yesterday" is soon wrong.
+/// Returns a date in numbers, because "yesterday" on paper is soon wrong.
 QString day(const std::string& utc)
 {
     const QDateTime at = text::momentOf(utc);
     return at.isValid() ? QLocale().toString(at.toLocalTime().date(), QLocale::ShortFormat) : QStringLiteral("–");
 }
 
-/// Paints the title over the matrix, and again on every page that begins with it.
+/// Paints the title of the matrix. It is repeated on every page that begins with the matrix.
 void paintTitle(Sheet& sheet)
 {
     sheet.head(Words::tr("Best scores"), kHeadsPt);
@@ -67,7 +67,7 @@ void paintTitle(Sheet& sheet)
     sheet.skip(2.0);
 }
 
-/// Returns the words of a cell as on the screen, with its signs.
+/// Returns the text of a cell as on the screen, with its signs.
 QString cellWords(const people::ClassModel& model, const QModelIndex& index)
 {
     QString words = model.data(index, Qt::DisplayRole).toString();
@@ -78,7 +78,7 @@ QString cellWords(const people::ClassModel& model, const QModelIndex& index)
     return words;
 }
 
-/// Returns the width of a lesson's column, so that no title is cut within a word.
+/// Returns the width of a lesson's column, in which no word of a title is cut.
 double cellWidth(Sheet& sheet, const people::ClassModel& model, int lessons)
 {
     double widest = kCellPt;
@@ -93,7 +93,8 @@ double cellWidth(Sheet& sheet, const people::ClassModel& model, int lessons)
     return std::min(widest, sheet.width() - kNamePt - kLastPt);
 }
 
-/// Paints as many lessons as the paper is wide. The next part begins below, if there is room for some of it.
+/// Paints the part of the matrix with as many lessons as fit the page's width. The next part begins below it if there
+/// is room for some rows.
 void paintPart(Sheet& sheet, const people::ClassModel& model, double cellPt, int first, int count)
 {
     const auto heads = [&] {
@@ -135,7 +136,7 @@ void paintPart(Sheet& sheet, const people::ClassModel& model, double cellPt, int
             const database::MatrixCell& cell = *model.cell(index);
             const QRectF box(kNamePt + kLastPt + k * cellPt, sheet.top(), cellPt - 1.0, kRowPt - 1.0);
             if (cell.attempts > 0) {
-                // The higher the darker, never so dark that black cannot be read on it.
+                // A higher score is darker, but light enough for black text.
                 const int grey = 250 - cell.bestTenths * 70 / 1000;
                 painter.fillRect(box, QColor(grey, grey, grey));
             }

@@ -31,7 +31,7 @@ bool save(const QString& path, const QString& title, const Content& content, QPa
         return false;
     {
         QPdfWriter writer(&file);
-        // The code is among the properties of the file, too, where it can be copied.
+        // Also stores the code in the properties of the file, where it can be copied.
         const QString& code = content.proof.auditCode;
         writer.setTitle(code.isEmpty() ? title : title + QStringLiteral(", ") + code);
         writer.setCreator(QStringLiteral("Cusp %1").arg(content.proof.program));
@@ -77,7 +77,7 @@ QPrintDialog* makePrintDialog(QPrinter& printer, QWidget* window)
     qputenv("HOME", empty.path().toLocal8Bit());
     const auto back = qScopeGuard([&home] { qputenv("HOME", home); });
     auto* dialog = new QPrintDialog(&printer, window);
-    // Nor does its button for another folder then look there. To make a file there is askForPdf().
+    // Without printing to a file, the dialog has no button that lists other folders. Use askForPdf() to make a file.
     dialog->setOption(QAbstractPrintDialog::PrintToFile, false);
     return dialog;
 }
@@ -93,7 +93,7 @@ bool askForPrinter(QWidget* window, const QString& title,
     printer->setPageMargins({kMarginMm, kMarginMm, kMarginMm, kMarginMm}, QPageLayout::Millimeter);
     QPrintDialog* dialog = makePrintDialog(*printer, window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    // The printer lives as long as the dialog that knows it.
+    // The connection owns the printer, so it lives as long as the dialog.
     QObject::connect(dialog, &QDialog::accepted, window, [printer, chosen] { chosen(printer); });
     dialog->open();
     return true;

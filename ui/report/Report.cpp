@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPointsPerInch = 72.0;
 
-/// Runs through the content once without painting, to count the pages.
+/// Runs the content once without painting, to count its pages.
 template <typename Content>
 Content counted(Content content, const QSizeF& pagePt)
 {

@@ -23,7 +23,7 @@
 class QPagedPaintDevice;
 class QPainter;
 
-/// Printed reports: a score card and a class, on A4 or Letter, black on white.
+/// Printed reports: a score card, and the overview of a class. On A4 or Letter, black on white.
 namespace ui::report {
 
 struct ClassReport
@@ -33,8 +33,8 @@ struct ClassReport
     database::ClassOverview overview;
     QList<database::ClassAssignment> given;  ///< the assignments of the class
     text::LessonTitles titles;
-    database::LessonResults results;  ///< of the lesson whose charts are printed; none if its id is empty
-    int passMarkTenths = 0;           ///< of its rubric
+    database::LessonResults results;  ///< of the lesson whose charts are printed; empty id: no charts
+    int passMarkTenths = 0;           ///< pass mark of that lesson's rubric; 0: unknown
     lessons::LocalText rubricTitle;
     int rubricVersion = 0;
     std::string rubricHash;
@@ -42,8 +42,8 @@ struct ClassReport
     scoring::Proof proof;
 };
 
-/// Ends a page and sets the same painter to a new one, in points again. Empty: only counts pages, and skips what is
-/// slow to draw.
+/// Ends a page and starts the next one with the same painter, in points. An empty function means that pages are only
+/// counted; slow drawing is then skipped.
 using NextPage = std::function<void()>;
 
 /// Paints a report. One unit of the painter is a point, 1/72 inch; its origin is the corner of the printable area.
@@ -52,7 +52,8 @@ using NextPage = std::function<void()>;
 int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const scoring::ScoreCard& card);
 int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ClassReport& report);
 
-/// Paints a report on a printer or into a PDF, on its paper. Returns false if the device could not be opened.
+/// Paints a report on a printer or into a PDF, in the size of its paper. Returns false if the device could not be
+/// opened.
 [[nodiscard]] bool paintOn(QPagedPaintDevice& device, const scoring::ScoreCard& card);
 [[nodiscard]] bool paintOn(QPagedPaintDevice& device, const ClassReport& report);
 

@@ -26,20 +26,20 @@ struct CardWords
     Q_DECLARE_TR_FUNCTIONS(ui::report::ScoreCard)
 };
 
-constexpr QSize kPicturePx{340, 301};  ///< as laid out: its letters are as large as those beside it
-constexpr double kPictureRatio = 3.0;  ///< drawn with so many dots for each
+constexpr QSize kPicturePx{340, 301};  ///< size of the layout, in which the text is as large as the text of the page
+constexpr double kPictureRatio = 3.0;  ///< device pixels per pixel of the layout
 constexpr double kPicturePt = 210.0;
 constexpr double kLeastPicturePt = 120.0;
 constexpr double kPictureStepPt = 10.0;
 constexpr double kScoreChartPt = 158.0;
-constexpr int kNumberPx = 14;     ///< of a number on a picture, and radius of its disc
-constexpr double kStemPx = 34.0;  ///< from there to its place
+constexpr int kNumberPx = 14;     ///< size of a number on a picture; also the radius of its disc
+constexpr double kStemPx = 34.0;  ///< distance from the number to its place
 constexpr double kTipPx = 4.0;
-constexpr double kColumnGapPt = 10.0;  ///< before the column of points
+constexpr double kColumnGapPt = 10.0;  ///< gap before the column of points
 constexpr std::size_t kMomentsTold = 3;
 constexpr std::size_t kHashShown = 16;
 
-/// Paints the places of the comments with the numbers of the comments, in their order.
+/// Paints the numbers of the comments at their places, in order.
 void paintNumbers(QPainter& painter, const scoring::HeatMap& map, const std::vector<database::AttemptComment>& comments)
 {
     painter.setRenderHint(QPainter::Antialiasing);
@@ -48,7 +48,7 @@ void paintNumbers(QPainter& painter, const scoring::HeatMap& map, const std::vec
     for (const database::AttemptComment& comment : comments) {
         if (!comment.placeMm)
             continue;
-        // Beside the place, so that it can be seen; below it where there is no room above.
+        // Beside the place, so that the place is visible; below it if there is no room above.
         const QPointF tip = map.pointOf(*comment.placeMm);
         const double up = tip.y() > kStemPx + kNumberPx ? -kStemPx : kStemPx;
         const QPointF middle = tip + QPointF(0.0, up);
@@ -64,7 +64,7 @@ void paintNumbers(QPainter& painter, const scoring::HeatMap& map, const std::vec
     }
 }
 
-/// Returns a picture of the score page on white, in colours and patterns for all readers.
+/// Returns a picture as on the score page, on white and with patterns, for readers who cannot distinguish the colours.
 template <typename Picture>
 QImage pictureOf(const scoring::ScoredWork& work, std::optional<std::size_t> node,
                  const std::function<void(QPainter&, const Picture&)>& paintOver = {})
@@ -80,13 +80,13 @@ QImage pictureOf(const scoring::ScoredWork& work, std::optional<std::size_t> nod
     image.setDevicePixelRatio(kPictureRatio);
     image.fill(Qt::white);
     QPainter painter(&image);
-    widget.render(&painter, {}, {}, QWidget::DrawChildren);  // without the ground of the theme
+    widget.render(&painter, {}, {}, QWidget::DrawChildren);  // without the background of the theme
     if (paintOver)
         paintOver(painter, widget);
     return image;
 }
 
-/// Paints breaches and aids as on the score page.
+/// Paints rule violations and aids as on the score page.
 void paintConduct(Sheet& sheet, const scoring::ScoreCard& card)
 {
     if (!card.work || !card.work->measured.process)
@@ -153,7 +153,7 @@ QString momentsOf(const scoring::ScoreCard& card, std::size_t k)
 
 QString lostWords(const lessons::Criterion& criterion)
 {
-    if (criterion.weightTenths == 0)  // a limit: it costs no points, it decides
+    if (criterion.weightTenths == 0)  // a limit costs no points, but decides whether the attempt passes
         return criterion.share > 0.0 ? CardWords::tr("not met") : CardWords::tr("met");
     //: Lost of a weight, both points: "−4.4 of 30.0"
     return CardWords::tr("%1 of %2")
@@ -191,7 +191,7 @@ void paintCriteria(Sheet& sheet, const scoring::ScoreCard& card)
     sheet.say(scoring::ScorePage::sumWords(card.sheet, card.attempt.givenTenths), kTextPt, QFont::DemiBold);
 }
 
-/// Returns pictures from above, and of a section through the place with the greatest deviation.
+/// Returns the pictures: from above, and a section through the place of the largest deviation.
 QList<QImage> picturesOf(const scoring::ScoreCard& card)
 {
     const auto node = scoring::farthestOff(*card.work);
@@ -245,7 +245,7 @@ void paintTalk(Sheet& sheet, const scoring::ScoreCard& card)
     }
 }
 
-/// Returns the noted word if this program has no translation.
+/// Returns a stored word that has no translation, or a dash if it is empty.
 QString noted(const std::string& words)
 {
     return words.empty() ? QStringLiteral("–") : QString::fromStdString(words);
@@ -253,7 +253,7 @@ QString noted(const std::string& words)
 
 QString deviceWords(const std::string& device)
 {
-    if (device == "pointer")  // before the kind was stored
+    if (device == "pointer")  // stored before the kind of pointer was
         return CardWords::tr("mouse, pen or gamepad");
     if (device == "mouse")
         return CardWords::tr("mouse");
@@ -270,7 +270,7 @@ QString deviceWords(const std::string& device)
     return noted(device);
 }
 
-/// Returns how the point of contact is found.
+/// Returns the words for the method that finds the point of contact.
 QString methodWords(const std::string& method)
 {
     if (method == "continuous")
@@ -304,7 +304,7 @@ QString viewWords(const std::string& view)
     return noted(view);
 }
 
-/// Paints the circumstances that have to be the same for the same score.
+/// Paints the conditions that must be the same to reproduce the score.
 void paintCircumstances(Sheet& sheet, const scoring::ScoreCard& card)
 {
     const database::AttemptRecord& attempt = card.attempt;
@@ -316,7 +316,7 @@ void paintCircumstances(Sheet& sheet, const scoring::ScoreCard& card)
     sheet.say(card.sheet.rubricVersion > 0
                   ? CardWords::tr("Rubric: %1, version %2, content %3")
                         .arg(rubric.isEmpty() ? noted({}) : rubric, QString::number(card.sheet.rubricVersion), content)
-                  // its sheet was not kept with the attempt
+                  // the score sheet was not saved with the attempt
                   : CardWords::tr("Rubric: content %1").arg(content),
               kTextPt);
     sheet.say(CardWords::tr("Hardness: %1, content %2").arg(noted(attempt.preset), shown(attempt.presetHash)), kTextPt);
@@ -350,7 +350,7 @@ int paintAll(QPainter& painter, const QSizeF& pagePt, const NextPage& next, cons
     return sheet.pages();
 }
 
-/// Returns the greatest height that needs no further page.
+/// Returns the largest height of the pictures that needs no additional page.
 double pictureHeight(const QSizeF& pagePt, const scoring::ScoreCard& card, const QList<QImage>& pictures)
 {
     const auto pages = [&](double picturePt) {
@@ -369,7 +369,7 @@ double pictureHeight(const QSizeF& pagePt, const scoring::ScoreCard& card, const
 
 int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const scoring::ScoreCard& card)
 {
-    // While pages are counted only their number matters.
+    // While pages are counted only the number of pictures matters.
     const QList<QImage> pictures = !card.work ? QList<QImage>() : next ? picturesOf(card) : QList<QImage>(2);
     return paintAll(painter, pagePt, next, card, pictures, pictureHeight(pagePt, card, pictures));
 }

@@ -19,7 +19,7 @@ struct SheetWords
 
 constexpr double kFootPt = 30.0;
 constexpr double kGapPt = 10.0;
-constexpr double kChartScale = 0.72;  ///< letters of 12 and 14 px become 8.6 and 10 pt
+constexpr double kChartScale = 0.72;  ///< text of 12 and 14 px becomes 8.6 and 10 pt
 constexpr int kFoldedWords = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
 
 }  // namespace
@@ -27,7 +27,7 @@ constexpr int kFoldedWords = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
 QFont paperFont(int size, QFont::Weight weight)
 {
     QFont font = kit::typeface(size, weight);
-    font.setStyleStrategy(QFont::PreferNoShaping);  // of scripts that can be read without
+    font.setStyleStrategy(QFont::PreferNoShaping);  // for scripts that are readable without shaping
     return font;
 }
 
@@ -43,7 +43,7 @@ double Sheet::bottom() const
     return m_page.height() - kFootPt;
 }
 
-/// Paints page number, program, and the code with which the paper can be checked.
+/// Paints the page number, the program, and the code that verifies the paper.
 void Sheet::foot()
 {
     const QRectF box(0.0, m_page.height() - kFootPt + 6.0, m_page.width(), kFootPt - 6.0);

@@ -31,16 +31,16 @@ public:
     [[nodiscard]] double top() const { return m_top; }
     [[nodiscard]] double width() const { return m_page.width(); }
     [[nodiscard]] int pages() const { return m_pages; }
-    /// Returns whether pages are only counted and nothing is painted.
+    /// Returns whether pages are only being counted, without painting.
     [[nodiscard]] bool isCounting() const { return !m_next; }
     [[nodiscard]] double left() const { return bottom() - m_top; }
 
     /// Starts the next page if less than this height is left.
     void need(double height);
     void skip(double height) { m_top += height; }
-    /// Adds text over the whole width, wrapped into lines. It is not split between pages.
+    /// Adds text across the page, wrapped into lines. The text is not split between pages.
     void say(const QString& words, int size, QFont::Weight weight = QFont::Normal);
-    /// Adds a heading, kept together with content of height `with`.
+    /// Adds a heading. It is on the same page as the next `with` points of content.
     void head(const QString& words, double with);
     void rule();
     void chart(const charts::Chart& chart, double height);

@@ -21,23 +21,23 @@ struct HistoryWords
     Q_DECLARE_TR_FUNCTIONS(ui::people::HistoryCharts)
 };
 
-constexpr qsizetype kCriteriaOver = 10;  ///< attempts
+constexpr qsizetype kCriteriaOver = 10;  ///< number of latest attempts that the criteria chart covers
 constexpr double kMsPerMinute = 60'000.0;
-constexpr double kChartEnd = 103.0;  ///< so that a mark at 100 is whole
+constexpr double kChartEnd = 103.0;  ///< leaves room for a whole mark at 100
 
 double points(int tenths)
 {
     return 0.1 * tenths;
 }
 
-/// Returns the number of an attempt, its place on the x axis: 1 for the oldest.
+/// Returns the number of an attempt, which is its x coordinate: 1 for the oldest.
 double placeOf(const ChartedAttempts& attempts, qsizetype k)
 {
     return static_cast<double>(attempts.newestFirst.size() - k);
 }
 
-/// Calls `take` for each charted attempt, oldest first, with its place and the beginning of its sentence: "Attempt 3,
-/// 20/11/2026 10:15".
+/// Calls `take` for each charted attempt, oldest first, with its number and the beginning of its description: "Attempt
+/// 3, 20/11/2026 10:15".
 template <typename Take>
 void each(const ChartedAttempts& attempts, const Take& take)
 {
@@ -54,7 +54,7 @@ void each(const ChartedAttempts& attempts, const Take& take)
     }
 }
 
-/// Returns the lesson of an attempt in a table of several lessons.
+/// Returns the lesson's title if the charts cover several lessons, otherwise an empty string.
 QString lessonOf(const ChartedAttempts& attempts, const AttemptRecord& record)
 {
     return attempts.isOneLesson ? QString() : text::lessonTitle(attempts.titles, record.lessonId);
@@ -78,7 +78,7 @@ QString noteOf(const ChartedAttempts& attempts)
     return HistoryWords::tr("%n attempt(s)", nullptr, static_cast<int>(all));
 }
 
-/// Returns "82.4 points, passed", and the computed score if an instructor has overridden it.
+/// Returns "82.4 points, passed", and the computed score if a teacher has overridden it.
 QString scoreWords(const AttemptRecord& record)
 {
     const QString given = text::points(record.countingTenths());
@@ -142,7 +142,7 @@ Chart scoreChart(const ChartedAttempts& attempts)
     if (attempts.isOneLesson) {
         curve.lines << way;
         curve.band = bandOf(attempts.band);
-        // The class may have gone on further than this student: not further than there is room for.
+        // Other students of the class may have made more attempts. Cuts the band off at the chart's edge.
         const auto beyond = [&](const Slice& slice) { return slice.x < curve.x.low || slice.x > curve.x.high; };
         curve.band.slices.removeIf(beyond);
         if (!attempts.newestFirst.isEmpty())
@@ -162,14 +162,14 @@ Chart criteriaChart(const ChartedAttempts& attempts)
     {
         int lostTenths = 0;
         int weightTenths = 0;
-        int attempts = 0;        ///< in which it counts
-        qsizetype counted = -1;  ///< of them the last
+        int attempts = 0;        ///< number of attempts in which this criterion counts
+        qsizetype counted = -1;  ///< index of the latest attempt that was counted, or -1
     };
     const auto namesOf = [&](const AttemptRecord& record) {
         const auto known = attempts.criteria.find(record.lessonId);
         return known == attempts.criteria.end() ? text::CriterionNames() : known->second;
     };
-    // By name: an id is a lesson's own, and means something else in another.
+    // Sums are kept by name, because an id is unique only within its lesson.
     std::map<QString, Sum> sums;
     const qsizetype over = std::min(kCriteriaOver, attempts.newestFirst.size());
     for (qsizetype k = 0; k < over; ++k) {
@@ -186,7 +186,7 @@ Chart criteriaChart(const ChartedAttempts& attempts)
     bars.nameTitle = HistoryWords::tr("Criterion");
     double most = 0.0;
     for (const auto& [name, sum] : sums) {
-        if (sum.weightTenths == 0 && sum.lostTenths == 0)  // a limit that was kept
+        if (sum.weightTenths == 0 && sum.lostTenths == 0)  // a limit that the student observed
             continue;
         const double lost = 0.1 * sum.lostTenths / sum.attempts;
         most = std::max(most, lost);

@@ -14,13 +14,13 @@
 #include "ui/charts/Chart.h"
 #include "ui/text/PeopleTexts.h"
 
-/// Charts of one person's attempts.
+/// Charts of one student's attempts.
 namespace ui::scoring {
 
-/// Medians of a class over each person's best attempt at a lesson.
+/// Medians over a class, from each student's best attempt at a lesson.
 struct ClassMedians
 {
-    int people = 0;  ///< shown from lessons::kFewestPeople on
+    int people = 0;  ///< number of students; medians are shown from lessons::kFewestPeople on
     int tenths = 0;
     std::int64_t durationMs = 0;
     bool operator==(const ClassMedians&) const = default;
@@ -30,7 +30,7 @@ struct ClassMedians
 struct ChartedAttempts
 {
     QList<database::AttemptRecord> newestFirst;
-    bool isOneLesson = false;  ///< attempts of one lesson are joined by a line and compared with the class
+    bool isOneLesson = false;  ///< all attempts are at one lesson: joined by a line, compared with the class
     text::LessonTitles titles;
     std::map<std::string, text::CriterionNames> criteria;  ///< by lesson id
     std::vector<database::BandPoint> band;
@@ -41,14 +41,14 @@ struct ChartedAttempts
 inline constexpr qsizetype kMostCharted = 300;
 
 [[nodiscard]] charts::Chart scoreChart(const ChartedAttempts& attempts);
-/// Charts the points that each criterion cost, on average over the last attempts.
+/// Returns a chart of the points lost at each criterion, averaged over the last attempts.
 [[nodiscard]] charts::Chart criteriaChart(const ChartedAttempts& attempts);
 [[nodiscard]] charts::Chart timeChart(const ChartedAttempts& attempts);
 [[nodiscard]] charts::Chart forceChart(const ChartedAttempts& attempts);
-/// Charts score against time, because both count: time to the right, points upwards.
+/// Returns a chart of score against time, because both count. Time increases to the right, points upwards.
 [[nodiscard]] charts::Chart speedChart(const ChartedAttempts& attempts);
 
-/// Returns the band of a class for a chart; empty if it covers too few people.
+/// Returns the class's band for a chart. Empty if it covers too few students.
 [[nodiscard]] charts::Band bandOf(const std::vector<database::BandPoint>& points);
 
 }  // namespace ui::scoring

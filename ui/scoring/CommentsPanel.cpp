@@ -30,9 +30,10 @@ using namespace ui::kit;
 
 constexpr int kWordsPx = 72;
 constexpr double kFullPoints = 100.0;
-/// A number that is no score is shown as typed, and refused. A field that limits the digits would turn 950 into 95.
+/// A number that is not a valid score is shown as typed and refused. A field that limits the digits would turn 950 into
+/// 95.
 constexpr double kMostTyped = 999999.0;
-constexpr int kSoonFull = 500;  ///< so many characters before a comment is full, that is said
+constexpr int kSoonFull = 500;  ///< remaining characters from which the panel says that a comment is nearly full
 
 QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
@@ -44,7 +45,7 @@ QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget*
     return made;
 }
 
-/// Returns the words of a withdrawn comment below the text that is typed already.
+/// Returns the draft with the text of a withdrawn comment appended.
 QString below(const QString& draft, const database::AttemptComment& comment)
 {
     const QString words = QString::fromStdString(comment.words);
@@ -146,14 +147,14 @@ void CommentsPanel::makeOverride(QVBoxLayout& column)
     m_points = kit::numberInput(-kMostTyped, kMostTyped, 1, {}, {}, m_override);
     m_points->setObjectName(QStringLiteral("givenPoints"));
     m_points->setMinimumHeight(34);
-    m_points->setMaximumWidth(QWIDGETSIZE_MAX);  // its unit is a word
+    m_points->setMaximumWidth(QWIDGETSIZE_MAX);  // the unit is a word, so the field may be wide
     m_reason = new QLineEdit(m_override);
     m_reason->setObjectName(QStringLiteral("reason"));
     m_reason->setMaxLength(database::kLongestComment);
     row->addWidget(m_points);
     row->addWidget(m_reason, 1);
     inside->addLayout(row);
-    // It has its room beforehand: the buttons do not move under the pointer.
+    // Keeps its space while hidden, so that the buttons do not move under the pointer.
     m_beyond = kit::faultLabel(m_override);
     m_beyond->setObjectName(QStringLiteral("pointsBeyond"));
     QSizePolicy keepsPlace = m_beyond->sizePolicy();
@@ -238,7 +239,7 @@ void CommentsPanel::setScore(int machineTenths, int passMarkTenths, bool passedB
     tellScore();
 }
 
-/// Offers points, unless a number or a reason has been typed.
+/// Fills in points, unless the teacher has typed a number or a reason.
 void CommentsPanel::offerPoints(int tenths)
 {
     m_offered = tenths / 10.0;
@@ -291,7 +292,7 @@ void CommentsPanel::setTalk(const database::AttemptTalk& talk)
     fill();
     tellScore();
     if (form != nullptr)
-        emit formUsed(form);  // what was said has moved it
+        emit formUsed(form);  // the answer has moved it
 }
 
 /// Returns whether these points were sent. A request to restore the computed score has no points, and matches any.
@@ -300,7 +301,7 @@ bool CommentsPanel::isOf(const Sent& sent, double points)
     return !sent.tenths || *sent.tenths == std::lround(10.0 * points);
 }
 
-/// Clears what was sent, unless the user has typed other text meanwhile.
+/// Clears a draft that was sent, unless the user has typed other text meanwhile.
 void CommentsPanel::clear(Draft& draft, const Sent& sent)
 {
     if (sent.isScore && draft.reason.trimmed() == sent.words && isOf(sent, draft.points)) {
@@ -314,7 +315,7 @@ void CommentsPanel::clear(Draft& draft, const Sent& sent)
     }
 }
 
-/// Clears the fields in the same way.
+/// Clears the fields likewise, unless they contain other text.
 void CommentsPanel::clearSent(const Sent& sent)
 {
     if (sent.isScore && m_reason->text().trimmed() == sent.words && isOf(sent, m_points->value())) {
@@ -327,7 +328,7 @@ void CommentsPanel::clearSent(const Sent& sent)
     }
 }
 
-/// Returns the form with the focus; null if none has it.
+/// Returns the form that contains the focus, or null.
 QWidget* CommentsPanel::formInUse() const
 {
     const QWidget* at = window()->focusWidget();
@@ -364,7 +365,7 @@ void CommentsPanel::setMoment(std::optional<std::int64_t> ms)
 
 void CommentsPanel::setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment)
 {
-    // A place that was only looked at must not replace the place of a comment that is being written.
+    // A place that the teacher only looked at must not replace the place of a comment that they are writing.
     if (placeMm && !forComment && m_atPlace->isChecked() && !m_words->toPlainText().trimmed().isEmpty())
         return;
     m_place = placeMm;
@@ -381,11 +382,11 @@ void CommentsPanel::unpin()
 void CommentsPanel::withdraw(qint64 comment, bool earlier)
 {
     const auto found = m_withdrawn.find(comment);
-    if (found == m_withdrawn.end())  // pressed twice, or by a user who has left
+    if (found == m_withdrawn.end())  // a second press, or the user has logged out
         return;
     const auto [attempt, gone] = found->second;
     m_withdrawn.erase(found);
-    if (attempt != m_attempt) {  // another is shown by now
+    if (attempt != m_attempt) {  // another attempt is shown by now
         Draft& draft = m_drafts[attempt];
         if (!earlier) {
             draft.words = below(draft.words, gone);
@@ -395,7 +396,7 @@ void CommentsPanel::withdraw(qint64 comment, bool earlier)
         return;
     }
     std::erase_if(m_talk.comments, [comment](const auto& one) { return one.id == comment; });
-    // Its button goes along, and must not hand the keyboard on to the score.
+    // The comment's button is deleted as well, and must not pass the focus on to the score.
     if (m_list->isAncestorOf(window()->focusWidget()))
         m_words->setFocus();
     fill();
@@ -412,10 +413,10 @@ void CommentsPanel::withdraw(qint64 comment, bool earlier)
         });
     if (!earlier)
         writeAgain(gone);
-    emit formUsed(m_composer);  // what went has moved it
+    emit formUsed(m_composer);  // the answer has moved it
 }
 
-/// Adds a comment below the text that is being written. Its place and moment come back too, if the text has none.
+/// Appends a withdrawn comment to the text that is being written. Restores its place and moment if the text has none.
 void CommentsPanel::writeAgain(const database::AttemptComment& comment)
 {
     m_words->setPlainText(below(m_words->toPlainText(), comment));
@@ -441,7 +442,7 @@ void CommentsPanel::say(std::function<QString()> sentence)
 
 void CommentsPanel::refuse(const QString& sentence)
 {
-    // Where it was typed, so that both are in sight together.
+    // Shows the error in the form that was used, so that both are visible together.
     m_asked->layout()->addWidget(m_fault);
     m_fault->setText(sentence);
     m_fault->setVisible(!sentence.isEmpty());
@@ -451,8 +452,8 @@ void CommentsPanel::refuse(const QString& sentence)
     emit formUsed(m_asked);
 }
 
-/// Notes what is being sent. The disabled button would pass the focus on to the next widget, which might be the score,
-/// so the text field gets it.
+/// Remembers what is being sent. Sets the focus to the text field, because the button is disabled and would pass the
+/// focus on to the next widget, which might be the score.
 void CommentsPanel::send(const Sent& sent)
 {
     if (formInUse() == (sent.isScore ? m_override : m_composer))
@@ -477,7 +478,7 @@ void CommentsPanel::keepComment(qint64 comment, qint64 attempt, const QString& f
 void CommentsPanel::answer(qint64 attempt, const QString& fault)
 {
     const auto found = m_sent.find(attempt);
-    if (found == m_sent.end())  // the user who sent it has left
+    if (found == m_sent.end())  // the user who sent it has logged out
         return;
     const Sent sent = found->second;
     m_sent.erase(found);
@@ -497,7 +498,7 @@ void CommentsPanel::answer(qint64 attempt, const QString& fault)
     refuse(fault);
 }
 
-/// Enables the score if it is valid, has a reason, and no score is being sent.
+/// Enables the button if the score is valid, a reason is given, and no score is being sent.
 void CommentsPanel::tellReady()
 {
     const bool isScore = m_points->value() >= 0.0 && m_points->value() <= kFullPoints;
@@ -513,7 +514,7 @@ std::optional<int> CommentsPanel::given() const
     return m_talk.overrides.empty() ? std::nullopt : m_talk.overrides.back().givenTenths;
 }
 
-/// Shows the score that counts, and below it the computed one if that differs.
+/// Shows the score that counts, and the computed score below it if the two differ.
 void CommentsPanel::tellScore()
 {
     const std::optional<int> given = this->given();
@@ -527,7 +528,7 @@ void CommentsPanel::tellScore()
     m_again->setVisible(given.has_value());
 }
 
-/// Shows beside the field whether the comment can be added.
+/// Shows how many characters are left when there are few, or that the comment is too long.
 void CommentsPanel::tellRoom()
 {
     const auto length = static_cast<int>(m_words->toPlainText().trimmed().size());
@@ -569,7 +570,7 @@ QPushButton* CommentsPanel::takeBackButton(const database::AttemptComment& comme
         m_fault->hide();
         say({});
         m_withdrawn[comment.id] = {m_attempt, comment};
-        if (button->hasFocus())  // which it would hand on to whatever comes next
+        if (button->hasFocus())  // otherwise it would pass the focus on to the next widget
             m_words->setFocus();
         button->setEnabled(false);
         emit withdrawRequested(comment.id);
@@ -577,8 +578,8 @@ QPushButton* CommentsPanel::takeBackButton(const database::AttemptComment& comme
     return button;
 }
 
-/// Adds who wrote what, and when. Returns the layout, for what comes below.
-/// @param beside  stands beside the author, or null
+/// Adds an entry with its author, time and text. Returns its layout, for further rows.
+/// @param beside  button beside the author, or null
 QVBoxLayout* CommentsPanel::addEntry(QVBoxLayout& column, const std::string& author, const std::string& utc,
                                      const QString& words, QPushButton* beside)
 {
@@ -599,7 +600,7 @@ QVBoxLayout* CommentsPanel::addEntry(QVBoxLayout& column, const std::string& aut
     return inside;
 }
 
-/// Buttons that show the moment and the place which a comment is pinned to.
+/// Adds buttons that show the moment and the place to which a comment is pinned.
 void CommentsPanel::addPins(QVBoxLayout& inside, const database::AttemptComment& comment)
 {
     auto* pins = new QHBoxLayout;
@@ -629,7 +630,7 @@ void CommentsPanel::addPins(QVBoxLayout& inside, const database::AttemptComment&
     inside.addLayout(pins);
 }
 
-/// Comments and given scores, as they followed each other.
+/// Shows comments and score overrides in the order in which they were made.
 void CommentsPanel::fill()
 {
     delete m_list;
@@ -701,7 +702,7 @@ void CommentsPanel::changeEvent(QEvent* event)
         retell();
 }
 
-/// Ticks "at this moment" when the teacher returns to a comment after playing the replay, but not after only opening
+/// Ticks "at this moment" when the teacher returns from the replay to a comment. Does not tick it if they only opened
 /// the moment of another comment.
 void CommentsPanel::showEvent(QShowEvent* event)
 {

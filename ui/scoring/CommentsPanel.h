@@ -23,21 +23,21 @@ class QVBoxLayout;
 
 namespace ui::scoring {
 
-/// Shows comments on an attempt, each perhaps pinned to a moment and to a place on the tooth, and the score that an
-/// instructor gave in place of the computed one, with the reason. All entries are signed. The computed score stays
-/// visible. Users who may not write see the panel without its forms.
+/// Shows the comments on an attempt and the score that a teacher gave instead of the computed one, with the reason. A
+/// comment may be pinned to a moment and to a place on the tooth. All entries have an author. The computed score stays
+/// visible. For users who may not write, the panel has no forms.
 class CommentsPanel final : public QWidget
 {
     Q_OBJECT
 public:
     explicit CommentsPanel(QWidget* parent);
 
-    /// Shows the comments on an attempt; 0: none that is saved. Unsent text about the attempt before is kept in memory
-    /// and restored when that attempt is shown again.
+    /// Sets the attempt. 0: no saved attempt. Unsent text about the previous attempt is remembered and restored when
+    /// that attempt is shown again.
     void setAttempt(qint64 attempt);
     [[nodiscard]] qint64 attempt() const { return m_attempt; }
-    /// Describes the comments and scores that the user has typed and not sent, about any attempt. Empty: there are
-    /// none.
+    /// Returns a description of the comments and scores that the user has typed and not sent, about any attempt. Empty
+    /// if there are none.
     [[nodiscard]] QString unsavedChanges() const;
     void discardChanges();
     /// @param machineTenths  the computed score
@@ -46,40 +46,40 @@ public:
     void setMay(bool comment, bool override);
     /// Sets whether there is a recording. Without one, comments cannot be pinned, and pins cannot be opened.
     void setRecorded(bool isRecorded);
-    /// Sets the last moment seen in the replay; empty: none. A moment that the user has ticked stays.
+    /// Sets the moment seen last in the replay. Empty: none. A moment that the user has ticked is not replaced.
     void setMoment(std::optional<std::int64_t> ms);
-    /// Sets the place that is marked on the tooth, in its frame, mm.
-    /// @param forComment  the user marked it for the comment being written: it is ticked
+    /// Sets the place marked on the tooth, in the tooth frame, mm.
+    /// @param forComment  the user marked it for the comment that they are writing, so it is ticked
     void setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment = false);
     [[nodiscard]] const std::optional<std::array<double, 3>>& place() const { return m_place; }
     /// Removes the user's own comment after the database has withdrawn it. Its text and pins return to the form, or to
     /// the draft of its attempt if another attempt is shown by now.
-    /// @param earlier  the comment had been withdrawn before, from elsewhere: its text does not return
+    /// @param earlier  the comment had already been withdrawn elsewhere, so its text does not return
     void withdraw(qint64 comment, bool earlier);
     /// Shows why the last request failed, in the form it was made in. The text stays in the form.
     void refuse(const QString& sentence);
-    /// Keeps a comment whose withdrawal failed.
-    /// @param fault  the reason, shown at its attempt now or when that is shown again
+    /// Shows a comment again whose withdrawal failed.
+    /// @param fault  the reason; shown when its attempt is shown
     void keepComment(qint64 comment, qint64 attempt, const QString& fault);
-    /// Finishes the request that was sent about an attempt. On success clears the form that it came from. Until then no
-    /// other request can be sent about the attempt.
-    /// @param fault  the reason of a failure, shown at the attempt now or when that is shown again; empty: success
+    /// Finishes the request that was sent about an attempt. If it succeeded, clears the form that it came from. Until
+    /// then no other request about the attempt can be sent.
+    /// @param fault  the reason of a failure, shown when the attempt is shown; empty: success
     void answer(qint64 attempt, const QString& fault = {});
 
 signals:
     /// Emitted when the user adds a comment.
     void commentRequested(const QString& words, std::optional<std::int64_t> momentMs,
                           std::optional<std::array<double, 3>> placeMm);
-    /// Emitted when the user takes back a comment of their own.
+    /// Emitted when the user withdraws one of their comments.
     void withdrawRequested(qint64 comment);
-    /// Emitted when an instructor gives another score.
-    /// @param tenths  empty: the computed score counts again
-    /// @param before  number of scores given before, as shown here
+    /// Emitted when a teacher overrides the score.
+    /// @param tenths  the new score; empty: the computed score counts again
+    /// @param before  number of earlier overrides shown here
     void overrideRequested(std::optional<int> tenths, const QString& reason, std::size_t before);
     /// Emitted when the user opens the moment or the place that a comment is pinned to.
     void momentRequested(double seconds);
     void placeRequested(std::array<double, 3> placeMm);
-    /// Emitted when the user writes in a form of the panel, which is to be scrolled into view as a whole.
+    /// Emitted when the user writes in a form of the panel. The page then scrolls the whole form into view.
     void formUsed(QWidget* form);
 
 protected:
@@ -96,7 +96,7 @@ private:
         std::optional<std::array<double, 3>> placeMm;
         QString reason;
         double points = 0.0;
-        bool hasPoints = false;  ///< typed by the user
+        bool hasPoints = false;  ///< the user has typed a score
         QString fault = {};      ///< why it could not be saved
         bool isScoreRefused = false;
     };
@@ -105,7 +105,7 @@ private:
     struct Sent
     {
         bool isScore = false;
-        QString words;                ///< of the comment, or the reason of the score
+        QString words;                ///< the comment, or the reason for the score
         std::optional<int> tenths{};  ///< of the score
     };
 
@@ -123,7 +123,7 @@ private:
     QVBoxLayout* addEntry(QVBoxLayout& column, const std::string& author, const std::string& utc, const QString& words,
                           QPushButton* beside);
     void addPins(QVBoxLayout& inside, const database::AttemptComment& comment);
-    /// What an instructor has given; nothing: the machine's score counts.
+    /// Returns the score that a teacher has given. Empty if the computed score counts.
     [[nodiscard]] std::optional<int> given() const;
     void tellScore();
     void tellPins();
@@ -152,22 +152,22 @@ private:
     int m_machineTenths = 0;
     int m_passMarkTenths = 0;
     bool m_passedByMachine = false;
-    double m_offered = 0.0;  ///< the score that the points input starts from, points
+    double m_offered = 0.0;  ///< initial value of the points input, in points
     bool m_arePointsTyped = false;
     bool m_mayComment = false;
     bool m_mayOverride = false;
     bool m_isRecorded = true;
     std::optional<std::int64_t> m_seen;    ///< the last moment seen in the replay
-    std::optional<std::int64_t> m_moment;  ///< that can be ticked, or is ticked
-    bool m_hasPlayed = false;              ///< since the panel was last visible
-    bool m_isLooking = false;              ///< at the pin of a comment
+    std::optional<std::int64_t> m_moment;  ///< the moment that can be ticked or is ticked
+    bool m_hasPlayed = false;              ///< the replay has played since the panel was last visible
+    bool m_isLooking = false;              ///< the user has opened a comment's pin
     std::optional<std::array<double, 3>> m_place;
     QLabel* m_counts;
     QLabel* m_machine;
     QWidget* m_list = nullptr;
     QVBoxLayout* m_listSlot;
     QWidget* m_composer = nullptr;
-    QLabel* m_said = nullptr;  ///< the message after a comment was taken back
+    QLabel* m_said = nullptr;  ///< the message after a comment was withdrawn
     std::function<QString()> m_saying;
     QPlainTextEdit* m_words = nullptr;
     QCheckBox* m_atMoment = nullptr;

@@ -47,7 +47,7 @@ ConductNotes::ConductNotes(QWidget* parent) : QWidget(parent)
     column->addWidget(m_facts);
 }
 
-/// Translates the notes before the buttons, which change with them.
+/// Retranslates the notes before the event reaches the buttons, because the buttons are replaced.
 void ConductNotes::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
@@ -97,7 +97,7 @@ void ConductNotes::retranslateUi()
     fillBreaches();
 }
 
-/// Shows the gravest breaches in the order of time, or all of them.
+/// Shows the gravest rule violations in order of time, or all of them.
 void ConductNotes::fillBreaches()
 {
     delete m_breaches;

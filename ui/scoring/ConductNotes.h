@@ -14,8 +14,8 @@ class QLabel;
 
 namespace ui::scoring {
 
-/// Lists how a score was reached, apart from its points: broken rules, each a link to its moment, and one sentence on
-/// time, force, aids and undone steps.
+/// Lists how a score was achieved, apart from its points: rule violations, each with a link to its moment, and one
+/// sentence on time, force, aids and undone steps.
 class ConductNotes final : public QWidget
 {
     Q_OBJECT
@@ -43,10 +43,10 @@ private:
     void retranslateUi();
     void fillBreaches();
 
-    std::optional<core::grading::Process> m_process;  ///< that is shown
+    std::optional<core::grading::Process> m_process;  ///< the shown process
     std::vector<core::grading::Infraction> m_infractions;
     std::uint8_t m_aids = 0;
-    bool m_showsAll = false;  ///< of the broken rules
+    bool m_showsAll = false;  ///< whether all rule violations are shown
 
     QHBoxLayout* m_head = nullptr;
     QLabel* m_title = nullptr;

@@ -20,8 +20,8 @@ namespace {
 using namespace ui::kit;
 using ::lessons::Moment;
 
-constexpr int kAbovePx = 3;        ///< and below: twelve criteria are seen at a glance on 800 px
-constexpr int kAboveNoughtPx = 1;  ///< where nothing was lost
+constexpr int kAbovePx = 3;        ///< margin above and below; twelve criteria fit on a screen 800 px high
+constexpr int kAboveNoughtPx = 1;  ///< margin of a criterion without lost points
 constexpr double kTogetherS = 10.0;
 constexpr std::size_t kShownMoments = 3;
 constexpr int kMostChips = 3;
@@ -31,13 +31,13 @@ QString signedPoints(int lostTenths)
     return lostTenths == 0 ? QStringLiteral("0") : QChar(0x2212) + text::points(lostTenths);
 }
 
-/// Returns whether a measure falls as the work goes on: its remainder was there all the time.
+/// Returns whether a measure decreases during the work, because it measures what is left.
 bool isOfWhatIsLeft(const std::string& measure)
 {
     return measure.starts_with("caries_") || measure.starts_with("undercut_") || measure == "target_removed_percent";
 }
 
-/// Returns a label whose clicks go to its row.
+/// Returns a label that passes clicks on to its row.
 QLabel* words(const QString& text, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
     auto* made = new QLabel(text, parent);
@@ -106,7 +106,7 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
     m_slot->setColumnStretch(0, 1);
     QLabel* name = words(text::criterionName(criterion), kBody, QFont::Medium, QPalette::WindowText, this);
     name->setWordWrap(true);
-    name->setMinimumHeight(1);  // as its width asks for, and no more
+    name->setMinimumHeight(1);  // takes only the height that its width needs
     m_slot->addWidget(name, 0, 0);
     auto* measured = new TabularDigitsLabel(this);
     measured->setFont(typeface(kBody));
@@ -119,7 +119,7 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
             brokenIntoLines(tr("The exposed area, seen from above. The side panel shows the removed volume, in mm³.")));
     m_slot->addWidget(measured, 0, 1);
     auto* lost = new TabularDigitsLabel(this);
-    // What cost nothing takes no more room than its name.
+    // The figure of a criterion without lost points is as small as its name.
     lost->setFont(typeface(criterion.lostTenths > 0 ? kTitle : kBody, QFont::DemiBold));
     lost->setAlignment(Qt::AlignRight);
     lost->setMinimumWidth(52);
@@ -148,7 +148,7 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
 void CriterionRow::setDetailed(bool detailed)
 {
     m_worked->setVisible(detailed);
-    // A serious error that was not made is one of many, and so is a limit that took nothing.
+    // Hides serious errors that were not made, and limits that cost no points.
     const bool isMade = m_criterion.lostTenths > 0 || (m_criterion.capTenths == 0 && m_criterion.share > 0.0);
     setHidden(!detailed && m_criterion.critical && !isMade);
 }
@@ -167,7 +167,7 @@ void CriterionRow::setMoments(const std::vector<Moment>& moments)
     fillMoments(false);
 }
 
-/// Shows the costliest moments in the order of time, or all of them.
+/// Shows the costliest moments in order of time, or all of them.
 void CriterionRow::fillMoments(bool all)
 {
     delete m_chips;
@@ -208,7 +208,7 @@ void CriterionRow::fillMoments(bool all)
     };
     for (const Moment& moment : shown) {
         const QString text = momentWords(moment, m_criterion);
-        if (moment.kind == Moment::Kind::Never) {  // there is nothing to replay
+        if (moment.kind == Moment::Kind::Never) {  // a moment that never happened cannot be replayed
             put(words(text, kSmall, QFont::Medium, QPalette::PlaceholderText, m_chips));
             continue;
         }

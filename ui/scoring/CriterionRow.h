@@ -12,9 +12,9 @@ class QLabel;
 
 namespace ui::scoring {
 
-/// One criterion of a score: its name, what was measured and what it cost; below, the moments at which points were
-/// lost, each a button; and in the details the formula with its numbers. Choosing a row shows where the tooth is worst.
-/// The height of a row does not depend on the choice.
+/// One criterion of a score: its name, what was measured and what it cost. Below are the moments at which points were
+/// lost, each a button, and in the details the formula with its numbers. Selecting a row shows the worst place of the
+/// tooth. The height of a row does not depend on the selection.
 class CriterionRow final : public QAbstractButton
 {
     Q_OBJECT
@@ -26,7 +26,7 @@ public:
     void setMoments(const std::vector<::lessons::Moment>& moments);
     /// Shows or hides the formulas. Without them, the row of a serious error that was not made is hidden.
     void setDetailed(bool detailed);
-    /// Turns the row into plain text, if there is no tooth on which to show its worst place.
+    /// Turns the row into plain text. Used if there is no tooth to show its worst place.
     void bePlain();
 
 signals:
@@ -34,7 +34,7 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    /// Reserves the up and down keys, which choose the row before and after, from other shortcuts.
+    /// Claims the up and down keys, which select the previous and the next row, from other shortcuts.
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -48,8 +48,7 @@ private:
     std::vector<::lessons::Moment> m_moments;  ///< merged by asRead()
 };
 
-/// Merges moments for display: those of one stroke, of one wait or of one press that follow each other within ten
-/// seconds become one.
+/// Merges moments for display: moments of one stroke, one wait or one press that follow each other within ten seconds.
 [[nodiscard]] std::vector<::lessons::Moment> asRead(const std::vector<::lessons::Moment>& moments);
 
 /// Returns a text such as "−1.2 at 0:43, stroke 7".

@@ -9,7 +9,7 @@ class QPushButton;
 
 namespace ui::scoring {
 
-/// A card on a student's home page: an instructor has commented on attempts, and the student has not read it.
+/// A card on a student's home page that shows unread comments of a teacher on their attempts.
 class FeedbackCard final : public QFrame
 {
     Q_OBJECT
@@ -17,7 +17,7 @@ public:
     explicit FeedbackCard(QWidget* parent);
 
     /// @param attempts  number of attempts with unread comments; 0 hides the card
-    /// @param lesson, author  of the newest
+    /// @param lesson, author  of the newest comment
     void setNews(int attempts, const QString& lesson, const QString& author);
 
 signals:

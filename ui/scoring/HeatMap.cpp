@@ -27,22 +27,22 @@ constexpr QRgb kWords = 0xFFB6BDBF;
 constexpr QRgb kBright = 0xFFFFFFFF;
 constexpr QRgb kDark = 0xFF101214;
 constexpr QRgb kUntouched = 0xFF6E7375;
-constexpr QRgb kRight = 0xFFF2EFE6;  ///< cut as it ought to be
-/// From just off to the end of the scale: Okabe and Ito's vermilion and sky blue lie in the middle.
+constexpr QRgb kRight = 0xFFF2EFE6;  ///< cut exactly to the ideal
+/// Colours from slightly off to the end of the scale. Vermilion and sky blue of Okabe and Ito are in the middle.
 constexpr QRgb kJustDeep = 0xFFF6CBB0;
 constexpr QRgb kDeep = 0xFFB33C00;
 constexpr QRgb kJustLeft = 0xFFC9E6F7;
 constexpr QRgb kLeft = 0xFF1F6FB2;
 constexpr QRgb kInk = 0xB0101214;
-constexpr double kToldFromMm = 0.03;  ///< nearer to the ideal than this nothing is said
+constexpr double kToldFromMm = 0.03;  ///< a smaller distance to the ideal is not shown
 constexpr double kHeadPx = 22.0;
 constexpr double kLegendPx = 44.0;
 constexpr double kSidePx = 18.0;
 constexpr int kPatternPx = 7;
 constexpr double kRingPx = 9.0;
 constexpr double kPinPx = 8.0;       ///< radius of a pin's head
-constexpr QRgb kPin = 0xFF101214;    ///< neither too deep nor too high
-constexpr double kKeyStepMm = 0.25;  ///< that an arrow moves it
+constexpr QRgb kPin = 0xFF101214;    ///< differs from the colours for too deep and too high
+constexpr double kKeyStepMm = 0.25;  ///< distance that an arrow key moves the pin
 
 QRgb between(QRgb a, QRgb b, double share)
 {
@@ -56,7 +56,7 @@ QRgb lit(QRgb colour, double light)
     return qRgb(of(qRed(colour)), of(qGreen(colour)), of(qBlue(colour)));
 }
 
-/// Returns whether a pixel has ink: stripes where the cut is too deep, dots where material has to go.
+/// Returns whether a pixel has ink: stripes where the cut is too deep, dots where material remains to be removed.
 bool hasInk(double aboveMm, int x, int y)
 {
     if (aboveMm < -kToldFromMm)
@@ -64,7 +64,7 @@ bool hasInk(double aboveMm, int x, int y)
     return aboveMm > kToldFromMm && x % kPatternPx < 2 && y % kPatternPx < 2;
 }
 
-/// Returns the brightness of a column in a light from the upper left, about 1.
+/// Returns the brightness of a column lit from the upper left; about 1 on level ground.
 double lightOn(const core::terrain::Tooth& tooth, int i, int j)
 {
     const core::terrain::Grid& grid = tooth.grid();
@@ -224,7 +224,7 @@ void HeatMap::draw()
             const double above = static_cast<double>(aboveIdeal(m_work, k));
             const bool isOff = std::abs(above) > kToldFromMm;
             const QRgb colour = isOff ? heatColour(above) : core::grading::isCut(tooth, k) ? kRight : kUntouched;
-            // The scale is to be read: there the light tells the shape, and no more.
+            // Coloured columns are shaded less, so that their colours can be compared with the scale.
             const double light = lightOn(tooth, i, j);
             columns.setPixel(i - m_i0, m_j1 - j, lit(colour, isOff ? 0.7 + 0.3 * light : light));
         }
@@ -273,7 +273,7 @@ void HeatMap::mousePressEvent(QMouseEvent* event)
     choosePin(node ? std::optional(placeOf(*node)) : std::nullopt);
 }
 
-/// Takes the arrow keys, which are also keys of the replay and of the page that scrolls.
+/// Claims the arrow keys, which are also shortcuts of the replay and scroll the page.
 bool HeatMap::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride && m_isPinnable) {
@@ -286,7 +286,7 @@ bool HeatMap::event(QEvent* event)
     return QWidget::event(event);
 }
 
-/// Moves from the pin, the ring or the middle; with Shift column by column.
+/// Moves the pin with the arrow keys. It begins at the pin, the ring or the middle. Shift moves it column by column.
 void HeatMap::keyPressEvent(QKeyEvent* event)
 {
     const auto way = [event]() -> glm::dvec2 {
@@ -393,7 +393,7 @@ void HeatMap::paintMark(QPainter& painter, const Frame& frame) const
     const QPointF way(along.x, -along.y);
     const double reach = width() + height();
     painter.save();
-    painter.setClipRect(frame.plot);  // not through the words beside it
+    painter.setClipRect(frame.plot);  // not over the text beside it
     painter.setBrush(Qt::NoBrush);
     for (const auto& [colour, wide] : {std::pair(kDark, 3.0), std::pair(kBright, 1.2)}) {
         QPen pen(QColor(colour), wide);
@@ -416,7 +416,7 @@ QPointF HeatMap::pointOf(const std::array<double, 3>& placeMm) const
     return frame().at(lattice.x, lattice.y);
 }
 
-/// Paints a pin with its point on the place, in another shape than the ring.
+/// Paints a pin whose point is at the place. Its shape differs from the ring.
 void HeatMap::paintPin(QPainter& painter) const
 {
     if (!m_pin)

@@ -14,8 +14,8 @@
 namespace ui::scoring {
 
 /// The tooth from above, coloured by its deviation from the ideal: vermilion where it was cut too deep, blue where
-/// material is left, with a legend in millimetres. The colour-blind palette adds a pattern to each. A tooltip shows the
-/// depth under the pointer. Dark in both themes.
+/// material is left. It has a legend in millimetres. The colour-blind palette adds a pattern to each colour. A tooltip
+/// shows the depth under the pointer. Dark in both themes.
 class HeatMap final : public QWidget
 {
     Q_OBJECT
@@ -36,7 +36,7 @@ public:
 
     [[nodiscard]] std::optional<std::size_t> marked() const { return m_mark; }
     [[nodiscard]] const std::optional<std::array<double, 3>>& pin() const { return m_pin; }
-    /// Returns the position of a place of the tooth in the widget. A work must have been set.
+    /// Returns the position of a place of the tooth in the widget. Requires a work that has been set.
     [[nodiscard]] QPointF pointOf(const std::array<double, 3>& placeMm) const;
     [[nodiscard]] QSize sizeHint() const override { return {320, 140}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 130}; }
@@ -79,7 +79,7 @@ private:
     [[nodiscard]] QColor wordColour() const;
 
     ScoredWork m_work;
-    int m_i0 = 0;  ///< the part of the grid with tooth, bounds included
+    int m_i0 = 0;  ///< bounds of the part of the grid with tooth, inclusive
     int m_i1 = 0;
     int m_j0 = 0;
     int m_j1 = 0;

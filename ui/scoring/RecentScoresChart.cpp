@@ -46,7 +46,7 @@ QString RecentScoresChart::passMarkWords() const
     return tr("pass mark %1").arg(text::points(m_passMarkTenths));
 }
 
-/// Rounds a score to whole points, but never up to the pass mark.
+/// Rounds a score to whole points. Never rounds a failing score up to the pass mark.
 int RecentScoresChart::wholePoints(int tenths) const
 {
     return (tenths < m_passMarkTenths ? tenths : tenths + 5) / 10;
@@ -95,7 +95,7 @@ void RecentScoresChart::paintEvent(QPaintEvent*)
     painter.drawLine(QPointF(0, mark), QPointF(width(), mark));
     painter.setFont(kit::typeface(kit::kSmall));
     const double margin = marginPx();
-    // Above its line, or beneath it where there is no room.
+    // The text is above its line, or below it if there is no room.
     const double line = painter.fontMetrics().height();
     const double top = mark - line - 2.0 >= 0.0 ? mark - line - 2.0 : mark + 2.0;
     painter.drawText(QRectF(width() - margin, top, margin, line), Qt::AlignRight | Qt::AlignVCenter, passMarkWords());
@@ -116,9 +116,9 @@ void RecentScoresChart::paintEvent(QPaintEvent*)
         painter.drawRect(hatched ? bar.adjusted(0.5, 0.5, -0.5, -0.5) : bar);
         const QString number = QString::number(wholePoints(m_scores[k].tenths));
         const double numberPx = painter.fontMetrics().height();
-        if (painter.fontMetrics().horizontalAdvance(number) > step)  // it would run into the next
+        if (painter.fontMetrics().horizontalAdvance(number) > step)  // would overlap the next number
             continue;
-        // Inside the column where it fits, above it otherwise.
+        // The number is inside the column if it fits, otherwise above it.
         const bool inside = tall > numberPx + 2.0 * kNumberGapPx;
         painter.setPen(p.color(inside && newest ? QPalette::HighlightedText : QPalette::WindowText));
         const double at = inside ? bar.top() + kNumberGapPx : bar.top() - kNumberGapPx - numberPx;

@@ -7,8 +7,8 @@
 
 namespace ui::scoring {
 
-/// The last scores as columns, oldest first, the newest marked, with a line at the pass mark. Scores of another rubric
-/// are hatched: they cannot be compared. A tooltip describes the column under the pointer.
+/// The last scores as columns, oldest first, with a line at the pass mark. The newest is highlighted. Scores of another
+/// rubric are hatched, because they are not comparable. A tooltip describes the column under the pointer.
 class RecentScoresChart : public QWidget
 {
     Q_OBJECT
@@ -17,7 +17,7 @@ public:
     {
         int tenths = 0;
         bool isComparable = true;
-        QString when{};  ///< in words; empty: unknown
+        QString when{};  ///< date in words; empty: unknown
     };
 
     explicit RecentScoresChart(QWidget* parent);

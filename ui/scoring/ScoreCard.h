@@ -17,10 +17,10 @@
 
 namespace ui::scoring {
 
-/// The footer of each printed page, by which the print can be compared with the database.
+/// The footer of each printed page. It allows the print to be compared with the database.
 struct Proof
 {
-    QString auditCode;  ///< head of the audit chain, with its signature, from the database; empty: not saved in one
+    QString auditCode;  ///< head of the audit chain with its signature; empty: the attempt is not in a database
     QString program;    ///< version
     QDateTime printed;
     int pages = 0;  ///< 0: not counted yet
@@ -36,8 +36,8 @@ struct ScoreCard
     database::AttemptTalk talk;
     std::optional<ScoredWork> work;                     ///< empty: no pictures
     std::vector<std::vector<lessons::Moment>> moments;  ///< of each criterion, in order; empty: unknown
-    QList<database::AttemptRecord> history;             ///< at this lesson, newest first
-    std::vector<database::BandPoint> band;              ///< of the class
+    QList<database::AttemptRecord> history;             ///< attempts at this lesson, newest first
+    std::vector<database::BandPoint> band;              ///< scores of the class
     Proof proof;
 };
 

@@ -64,8 +64,8 @@ ScoreHistory::ScoreHistory(QWidget* parent) : QFrame(parent)
     chartRow->addWidget(m_chart, 1);
     chartRow->addWidget(m_saveChart, 0, Qt::AlignTop);
     row->addLayout(chartRow, 3);
-    // tellHistory() replaces the list while Qt passes a change of language on to the children of the card, so the list
-    // must not be one of them.
+    // tellHistory() replaces the list while Qt passes a language change on to the card's children, so the list must not
+    // be a direct child.
     m_listHolder = new QWidget(this);
     auto* holder = new QVBoxLayout(m_listHolder);
     holder->setContentsMargins(0, 0, 0, 0);
@@ -102,7 +102,7 @@ void ScoreHistory::setKeeping(Keeping keeping)
     tellKeeping();
 }
 
-/// Returns the chart for a file: all attempts, along with when they were made.
+/// Returns the chart for export: all attempts with their dates.
 charts::Chart ScoreHistory::chart() const
 {
     ChartedAttempts charted;

@@ -23,28 +23,28 @@ namespace ui::scoring {
 
 class RecentScoresChart;
 
-/// The card with the attempts before this one: a chart, the newest of them, what becomes of this grade, and where it
-/// stands in the class.
+/// The card with earlier attempts: a chart, the newest attempts, whether this grade is saved, and its rank in the
+/// class.
 class ScoreHistory final : public QFrame
 {
     Q_OBJECT
 public:
     explicit ScoreHistory(QWidget* parent);
 
-    /// @param history  newest first, this attempt included
+    /// @param history  newest first, including this attempt
     /// @param sheet    the score of this attempt
-    /// @param of       whose attempts, at what: the title of the chart in a file
+    /// @param of       the student and the lesson: the title of an exported chart
     void setHistory(const QList<database::AttemptRecord>& history, const ::lessons::ScoreSheet& sheet,
                     const QString& of);
-    /// Sets where the score stands among those of a class. Empty: nothing is shown about it.
+    /// Sets the rank of the score within a class. Empty: no rank is shown.
     void setClass(const std::optional<::lessons::ClassStanding>& standing);
-    /// What becomes of the grade that is shown.
+    /// Whether the shown grade is saved.
     enum class Keeping {
         Nowhere,  ///< there is no database
-        Refused,  ///< by the disk: it is tried again as long as the program runs
-        Guest,    ///< nobody is logged in: keepRequested() is offered
-        Pending,  ///< it is being kept
-        Waiting,  ///< on this computer, until the database can be reached
+        Refused,  ///< the disk refused it; the program retries while it runs
+        Guest,    ///< no user is logged in, so keepRequested() is offered
+        Pending,  ///< it is being saved
+        Waiting,  ///< on this computer until the database can be reached
         Kept
     };
     void setKeeping(Keeping keeping);
@@ -52,7 +52,7 @@ public:
 signals:
     /// Emitted when a guest wants to log in, so that the grade is saved as theirs.
     void keepRequested();
-    /// Emitted when the chart has been saved or could not be saved.
+    /// Emitted when the chart has been exported, or the export has failed.
     void told(const QString& sentence);
 
 private:

@@ -14,7 +14,7 @@ namespace ui::scoring {
 [[nodiscard]] QLabel* scoreLabel(const QString& words, int size, QFont::Weight weight, QPalette::ColorRole role,
                                  QWidget* parent);
 
-/// Makes a label wrap its words: it takes the height that its width needs, and claims no more beforehand.
+/// Makes a label wrap its text. The label takes the height that its width needs and reserves no more.
 void fold(QLabel* words);
 
 }  // namespace ui::scoring

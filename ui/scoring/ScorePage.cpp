@@ -51,10 +51,10 @@ using namespace ui::scoring;
 
 constexpr int kWidestPx = 1720;
 constexpr int kNarrowestBesidePx = 1180;
-constexpr int kFormMarginPx = 48;        ///< kept free about a form that is scrolled to: more than the edge that fades
-constexpr int kPictureBelowPx = 320;     ///< height of a picture that shares its rows with nothing
-constexpr int kPictureBesidePx = 260;    ///< of one on a page that is scrolled in any case
-constexpr std::size_t kFewCriteria = 5;  ///< that leave room for the history below them
+constexpr int kFormMarginPx = 48;        ///< margin around a form scrolled into view; larger than the fading edge
+constexpr int kPictureBelowPx = 320;     ///< height of a picture alone in its rows
+constexpr int kPictureBesidePx = 260;    ///< height of a picture on a page that scrolls anyway
+constexpr std::size_t kFewCriteria = 5;  ///< number of criteria that leave room for the history below them
 
 QFrame* cardIn(QWidget* parent)
 {
@@ -63,8 +63,8 @@ QFrame* cardIn(QWidget* parent)
     return frame;
 }
 
-/// Whether it is measured across: a wall, a ridge, an isthmus, the depth of a box. How deep the cut is there says
-/// nothing about it.
+/// Returns whether a measure is horizontal: a wall, a ridge, an isthmus, the depth of a box. The depth of the cut there
+/// says nothing about it.
 bool isAcross(std::string_view measure)
 {
     return measure.starts_with("wall_") || measure.starts_with("ridge_") || measure.starts_with("oblique_") ||
@@ -121,7 +121,7 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     });
 }
 
-/// The row below the cards.
+/// Makes the row of buttons below the cards.
 void ScorePage::makeButtons(const Actions& actions)
 {
     m_buttons = new QHBoxLayout;
@@ -168,13 +168,13 @@ void ScorePage::arrange()
         m_cards->removeWidget(card);
     m_cards->addWidget(m_resultCard, 0, 0, 1, 2);
     if (beside && m_talks) {
-        // A place is pointed at in the picture while it is written about.
+        // The picture is above the comments, because teachers point at a place in it while they write.
         m_cards->addWidget(m_criteriaCard, 1, 0);
         m_cards->addWidget(m_placeCard, 1, 1);
         m_cards->addWidget(m_historyCard, 2, 0, Qt::AlignTop);
         m_cards->addWidget(m_talkCard, 2, 1);
     } else if (beside) {
-        // The pictures have the height that is left beside the criteria, or beside a few of them and the history.
+        // The pictures take the height that is left beside the criteria, or beside a few criteria and the history.
         const bool areFew = m_criterionCount <= kFewCriteria;
         m_cards->addWidget(m_criteriaCard, 1, 0, areFew ? 1 : 2, 1);
         m_cards->addWidget(m_placeCard, 1, 1, areFew ? 2 : 1, 1);
@@ -201,7 +201,7 @@ void ScorePage::resizeEvent(QResizeEvent* event)
     arrange();
 }
 
-/// Lets the page scroll while one of the buttons below it has the focus.
+/// Lets the page scroll by keys while one of the buttons below it has the focus.
 void ScorePage::keyPressEvent(QKeyEvent* event)
 {
     const bool turns = event->key() == Qt::Key_PageDown || event->key() == Qt::Key_PageUp;
@@ -211,14 +211,14 @@ void ScorePage::keyPressEvent(QKeyEvent* event)
         Page::keyPressEvent(event);
 }
 
-/// Ends the buttons where the cards above them end, which leave room for a scroll bar.
+/// Aligns the buttons with the right edge of the cards, which leave room for a scroll bar.
 bool ScorePage::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_block && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
         const int end = m_block->mapTo(this, QPoint(m_block->width(), 0)).x();
         m_buttons->setContentsMargins(0, 0, std::max(0, body()->contentsRect().right() + 1 - end), 0);
         if (m_formInUse != nullptr && m_formInUse->isAncestorOf(window()->focusWidget()))
-            showForm();  // what others have written has moved it
+            showForm();  // new comments of other users have moved the form
     }
     return Page::eventFilter(watched, event);
 }
@@ -240,7 +240,7 @@ void ScorePage::setNext(const ::lessons::Lesson* lesson)
     m_back->setVisible(!isOffered);
 }
 
-/// Makes the result in one line: points, verdict, distance to the pass mark, forecast.
+/// Makes the line with the result: points, pass or fail, distance to the pass mark, and prediction.
 QWidget* ScorePage::makeResult()
 {
     QFrame* frame = cardIn(this);
@@ -338,7 +338,7 @@ QWidget* ScorePage::makeCriteria()
     return frame;
 }
 
-/// Makes the one thing to do better, with a button that shows it.
+/// Makes the box with the most important advice and a button that shows it.
 QWidget* ScorePage::makeAdvice()
 {
     m_adviceBox = new QWidget(this);
@@ -364,7 +364,7 @@ QWidget* ScorePage::makeAdvice()
     return m_adviceBox;
 }
 
-/// Makes the folded part: how the points add up, the rubric, and the score on other grids.
+/// Makes the collapsible part: how the points add up, the rubric, and the score on other grids.
 QWidget* ScorePage::makeDetails()
 {
     auto* box = new QWidget(this);
@@ -415,7 +415,7 @@ QWidget* ScorePage::makePlace()
     fold(m_placeAdvice);
     m_placeAdvice->setObjectName(QStringLiteral("placeAdvice"));
     m_placeAdvice->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_placeAdvice->setMinimumHeight(2 * m_placeAdvice->fontMetrics().lineSpacing());  // the pictures keep their place
+    m_placeAdvice->setMinimumHeight(2 * m_placeAdvice->fontMetrics().lineSpacing());  // keeps the pictures in place
     column->addWidget(m_placeAdvice);
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace2);
@@ -555,7 +555,7 @@ QString ScorePage::sumWords(const ::lessons::ScoreSheet& sheet, std::optional<in
     return givenTenths ? tr("Automatic score: %1").arg(sum) : sum;
 }
 
-/// Shows all that is known of the score in the present language.
+/// Shows everything about the score in the current language.
 void ScorePage::retranslateUi()
 {
     if (!m_isShown) {
@@ -578,7 +578,7 @@ void ScorePage::retranslateUi()
     if (m_scored && m_scored->preset)
         //: %1 is a hardness preset with its version
         preset = tr("Drilled with the hardness preset %1.").arg(text::presetWords(*m_scored->preset));
-    // A student who made the tooth softer must not be taken for one with a better hand.
+    // A student who made the tooth softer must not appear to have a better hand.
     const bool isOtherFeel = m_scored && m_scored->preset && m_scored->preset->isChanged;
     m_presetWarning->setVisible(isOtherFeel);
     m_presetWarning->setText(QStringLiteral("⚠ ") + preset);
@@ -605,7 +605,7 @@ void ScorePage::retranslateUi()
     tellHistory();
 }
 
-/// Says that an old attempt has no recording. The one on the table can always be shown.
+/// Says that an old attempt has no recording. The current attempt can always be shown.
 void ScorePage::tellUnrecorded()
 {
     m_unrecorded->setVisible(m_talks && !m_scored);
@@ -677,7 +677,7 @@ void ScorePage::tellAdvice()
         return;
     const ::lessons::Advice& first = all.front();
     m_advice->setText(adviceWords(first, m_sheet.criteria[first.criterion]));
-    // What was never done has no moment: the pictures show where it is missing.
+    // Something that was never done has no moment. The pictures show where it is missing.
     const bool hasMoment = first.moment && first.moment->kind != ::lessons::Moment::Kind::Never;
     m_showMoment->setVisible(hasMoment);
     if (!hasMoment)
@@ -710,7 +710,7 @@ void ScorePage::fillCriteria()
             row->bePlain();
         column->addWidget(row);
         m_rows << row;
-        // The one that was looked at, or else the one that the advice is about.
+        // Selects the criterion that the user looked at, otherwise the one that the advice is about.
         if (chosen == nullptr || criterion.id == m_chosen ||
             (chosen->criterion().id != m_chosen && criterion.id == advised))
             chosen = row;
@@ -723,8 +723,8 @@ void ScorePage::fillCriteria()
         chosen->setChecked(true);
 }
 
-/// Shows the worst place of this criterion, with advice. For a criterion without a place, shows the largest deviation
-/// from the ideal.
+/// Shows the worst place for a criterion, with advice. If the criterion has no place, shows the largest deviation from
+/// the ideal.
 void ScorePage::showPlace(const CriterionRow& row)
 {
     m_chosen = row.criterion().id;
@@ -732,7 +732,7 @@ void ScorePage::showPlace(const CriterionRow& row)
     const auto measure = core::grading::findMeasure(row.criterion().measure);
     const auto own = measure ? measure->nodeIn(m_scored->measured) : std::nullopt;
     const auto& practised = m_scored->measured.practised;
-    // Of what was to be done in an exercise; what was cut on the way tells of the tooth.
+    // Shows the place that an exercise left undone. What was cut on the way is about the tooth, not the exercise.
     const bool isDoing = practised && (!measure || core::grading::isOfExercise(*measure));
     const auto node = own ? own : isDoing ? missedNode(*m_scored) : practised ? std::nullopt : farthestOff(*m_scored);
     const QString name = text::criterionName(row.criterion());
@@ -794,7 +794,7 @@ void ScorePage::setTalkVisible(bool visible)
     arrange();
 }
 
-/// Scrolls to the form once it has its place, clear of the edge that fades.
+/// Scrolls to the form after it has been laid out, with a margin for the fading edge.
 void ScorePage::showForm()
 {
     QTimer::singleShot(0, m_formInUse, [this] { m_scroll->ensureWidgetVisible(m_formInUse, 0, kFormMarginPx); });
@@ -815,7 +815,7 @@ void ScorePage::setMayTalk(bool may)
     m_heat->setPin(may ? m_talk->place() : std::nullopt);
 }
 
-/// Shows the place of a comment. The next comment may be about it, too.
+/// Shows the place of a comment. Offers it as the place of the next comment as well.
 void ScorePage::showPin(const std::optional<std::array<double, 3>>& placeMm)
 {
     m_heat->setPin(placeMm);

@@ -38,8 +38,9 @@ class CriterionRow;
 class HeatMap;
 class WorstSection;
 
-/// Shows a grade and its reasons: the result; for each criterion what it cost, when, and its formula with numbers; the
-/// work from above and in a section through the worst place of the chosen criterion; the sum, and earlier grades.
+/// Shows a grade and its reasons: the result; the points lost at each criterion, when they were lost, and the formula
+/// with its numbers; the work from above, and in a section through the worst place of the selected criterion; the sum;
+/// and earlier grades.
 class ScorePage final : public kit::Page
 {
     Q_OBJECT
@@ -47,39 +48,39 @@ public:
     ScorePage(const kit::Actions& actions, QWidget* parent);
 
     /// @param work     returns the title of the lesson, or the name of the tooth, in the current language
-    /// @param history  newest first, this attempt included
-    /// @param expected  the student's own prediction; empty: none was asked for
-    /// @param scored   the graded tooth; empty: no pictures and no replay
+    /// @param history  newest first, including this attempt
+    /// @param expected  the student's prediction; empty: the student was not asked
+    /// @param scored   the graded tooth; empty: there are no pictures and no replay
     void setScore(std::function<QString()> work, const ::lessons::ScoreSheet& sheet,
                   const QList<database::AttemptRecord>& history, const std::optional<ScorePrediction>& expected,
                   const std::optional<ScoredWork>& scored);
     /// Sets the name of the student, after setScore(); empty: the user's own work.
     void setPerson(const QString& fullName);
     [[nodiscard]] const QString& person() const { return m_person; }
-    /// Sets the score that an instructor gave in place of the computed one; empty: the computed score counts.
+    /// Sets the score that a teacher gave instead of the computed one. Empty: the computed score counts.
     void setGiven(std::optional<int> tenths);
-    /// Offers this lesson as the next one, in place of the back button, after a passed attempt. Null: no offer.
-    /// setScore() withdraws the offer.
+    /// Offers this lesson as the next one after a passed attempt, instead of the back button. Null: no offer.
+    /// setScore() removes the offer.
     void setNext(const ::lessons::Lesson* lesson);
-    /// Sets the history that setScore() was given, once the database has answered.
+    /// Replaces the history passed to setScore() after the database has answered.
     void setHistory(const QList<database::AttemptRecord>& history);
     using Keeping = ScoreHistory::Keeping;
     void setKeeping(Keeping keeping);
-    /// Returns the panel of comments at the end of the page. Visible for a saved attempt only.
+    /// Returns the comments panel at the end of the page. It is visible for saved attempts only.
     [[nodiscard]] CommentsPanel& talk() { return *m_talk; }
-    /// Returns the verdict in words, for the page and for print.
-    /// @param givenTenths  the score of an instructor, if there is one
+    /// Returns the result in words, for the page and for print.
+    /// @param givenTenths  the score given by a teacher, if any
     [[nodiscard]] static QString verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths);
-    /// Returns the sum of the criteria in words. Calls it the computed score if an instructor gave another.
+    /// Returns the sum of the criteria in words. Calls it the computed score if a teacher gave another one.
     [[nodiscard]] static QString sumWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths);
-    /// Returns the contents for print; the caller adds attempt, person, comments and proof.
+    /// Returns the contents of the printed card. The caller adds attempt, person, comments and proof.
     [[nodiscard]] ScoreCard card() const;
     /// Shows whether the card was saved or printed.
     void say(std::function<QString()> words);
     void setTalkVisible(bool visible);
-    /// Scrolls to the comments, once the page is laid out.
+    /// Scrolls to the comments after the page has been laid out.
     void showTalk();
-    /// Sets whether the user may write comments, pin them to places of the picture, and give another score.
+    /// Sets whether the user may write comments, pin them to places in the picture, and override the score.
     void setMayTalk(bool may);
     /// Shows the rank of the score within a class.
     void setClass(const ::lessons::ClassStanding& standing);
@@ -91,16 +92,16 @@ public:
     void setMoments(const std::vector<std::vector<::lessons::Moment>>& moments);
 
 signals:
-    /// Emitted when the user asks to save the card as a PDF, and to print it.
+    /// Emitted when the user requests the card as a PDF, or on paper.
     void pdfRequested();
     void printRequested();
-    /// Emitted when the user asks to replay the attempt from this moment, in seconds.
+    /// Emitted when the user requests a replay of the attempt from this moment, in seconds.
     void momentRequested(double seconds);
-    /// Emitted when the user asks to replay the attempt from its beginning.
+    /// Emitted when the user requests a replay of the attempt from its beginning.
     void replayRequested();
-    /// Emitted when the user asks for the lesson of setNext().
+    /// Emitted when the user requests the lesson of setNext().
     void nextRequested();
-    /// Emitted when a guest asks to log in so that the grade is saved.
+    /// Emitted when a guest wants to log in so that the grade is saved.
     void keepRequested();
 
 protected:
@@ -133,16 +134,16 @@ private:
     void tellMoments();
     void tellHistory();
 
-    // The data that is shown, for translation into another language.
+    // The data shown, needed again when the language changes.
     bool m_isShown = false;
     std::function<QString()> m_work;
     QString m_person;            ///< empty: the user's own work
-    std::optional<int> m_given;  ///< tenths of a point, by an instructor
+    std::optional<int> m_given;  ///< score given by a teacher, tenths of a point
     std::optional<ScorePrediction> m_expectation;
     std::optional<::lessons::GridSensitivity> m_noiseNow;
     std::vector<std::vector<::lessons::Moment>> m_moments;
     QList<database::AttemptRecord> m_history;
-    std::string m_chosen;  ///< id of the chosen criterion
+    std::string m_chosen;  ///< id of the selected criterion
     std::optional<ScoredWork> m_scored;
     std::size_t m_criterionCount = 0;
     QWidget* m_block = nullptr;  ///< the cards
@@ -153,7 +154,7 @@ private:
     ScoreHistory* m_historyCard = nullptr;
     CommentsPanel* m_talk = nullptr;
     QWidget* m_talkCard = nullptr;
-    QWidget* m_formInUse = nullptr;  ///< the form of the comments in which the user wrote last
+    QWidget* m_formInUse = nullptr;  ///< the comments form that the user wrote in last
     kit::ScrollPane* m_scroll = nullptr;
     QHBoxLayout* m_buttons = nullptr;
     QLabel* m_said = nullptr;
@@ -164,7 +165,7 @@ private:
     QLabel* m_verdictIcon = nullptr;
     QLabel* m_verdict = nullptr;
     QLabel* m_expected = nullptr;
-    QWidget* m_adviceBox = nullptr;  ///< the one thing to improve
+    QWidget* m_adviceBox = nullptr;  ///< the most important advice
     QLabel* m_advice = nullptr;
     QPushButton* m_showMoment = nullptr;
     double m_adviceAtS = 0.0;
@@ -189,8 +190,8 @@ private:
     QPushButton* m_back = nullptr;
     QPushButton* m_next = nullptr;
     ::lessons::LocalText m_nextTitle;
-    QList<QPushButton*> m_ofTheTable;  ///< what they do is done to the work on the table, not to an old attempt
-    ::lessons::ScoreSheet m_sheet;     ///< that is shown
+    QList<QPushButton*> m_ofTheTable;  ///< buttons that act on the current attempt, not on an old one
+    ::lessons::ScoreSheet m_sheet;     ///< the shown score
 };
 
 }  // namespace ui::scoring

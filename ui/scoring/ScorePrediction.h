@@ -5,7 +5,7 @@
 
 namespace ui::scoring {
 
-/// The score that a student expects, before seeing it.
+/// The score that a student expects before it is shown.
 struct ScorePrediction
 {
     int tenths = 0;     ///< tenths of a point

@@ -27,7 +27,7 @@ using namespace ui::kit;
 constexpr int kCardWidthPx = 620;
 constexpr int kTenthsAStep = 10;
 constexpr int kBeginAt = 50;
-constexpr std::size_t kMostCriteria = 3;  ///< to choose from
+constexpr std::size_t kMostCriteria = 3;  ///< number of criteria offered as answers
 
 }  // namespace
 
@@ -68,7 +68,8 @@ ScorePredictionPage::ScorePredictionPage(const Actions& actions, QWidget* parent
     row->addWidget(m_slider, 1);
     row->addWidget(m_value);
     column->addLayout(row);
-    // The first step says where it stands: who expects just that many points says so by a click.
+    // The first click on the slider counts even if it does not change the value: it sets the prediction to that many
+    // points.
     const auto said = [this] {
         m_hasPoints = true;
         m_value->setText(QString::number(m_slider->sliderPosition()));
@@ -154,7 +155,7 @@ void ScorePredictionPage::ask(const QString& work, const ::lessons::Rubric& rubr
         column->addWidget(button);
     }
     m_criteriaSlot->addWidget(m_criteria);
-    // They were made after all other pages, and Tab would come to them last.
+    // The answers were created after all other pages, so Tab would reach them last.
     QWidget* before = m_slider;
     for (QAbstractButton* answer : m_worst->buttons()) {
         setTabOrder(before, answer);
@@ -170,7 +171,7 @@ void ScorePredictionPage::showMissing()
     m_missing->setText(m_hasPoints ? QString() : tr("Set the points that you expect."));
 }
 
-/// Lets Enter continue from anywhere: it first chooses an answer that only has the focus.
+/// Lets Enter continue from anywhere on the page. An answer that only has the focus is chosen first.
 void ScorePredictionPage::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) {

@@ -19,9 +19,9 @@ class TabularDigitsLabel;
 
 namespace ui::scoring {
 
-/// Asks the student for the expected score before the score is shown, with no default: self-assessment improves
-/// learning (DentSim, 11 classes: time spent on self-evaluation raises the score in the exam). The points are required.
-/// The criterion expected to cost most is optional, chosen from at most three.
+/// Asks the student for the expected score before the score is shown. There is no default, because self-assessment
+/// improves learning (DentSim, 11 classes: time spent on self-evaluation raises the score in the exam). The points are
+/// required. The criterion expected to cost most is optional and chosen from at most three.
 class ScorePredictionPage final : public kit::Page
 {
     Q_OBJECT
@@ -30,7 +30,7 @@ public:
 
     /// Starts with an empty form.
     void ask(const QString& work, const ::lessons::Rubric& rubric);
-    /// Sets the name of the work in the current language.
+    /// Sets the name of the work, in the current language.
     void setWork(const QString& work);
 
 signals:

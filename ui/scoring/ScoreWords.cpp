@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kShownHash = 12;
 
-/// What each pad was, and what it was said to be.
+/// Returns, for each pad, its tissue and the tissue that the student named.
 QString padWords(const core::grading::PadsToName& asked, const core::grading::Named& named)
 {
     QStringList pads;

@@ -12,17 +12,17 @@
 
 namespace ui::scoring {
 
-/// Returns how far the points that a student expected are from the score.
+/// Returns the difference between the points that a student expected and the score, in words.
 [[nodiscard]] QString expectationWords(int expectedTenths, int totalTenths);
 
-/// Returns what a student expected to cost most, and what did cost most.
-/// @param expected  id of a criterion; may be one that the sheet does not have
+/// Returns the criterion that a student expected to cost most, and the one that did, in words.
+/// @param expected  id of a criterion; the sheet may not contain it
 [[nodiscard]] QString expectedWorstWords(const std::string& expected, const ::lessons::ScoreSheet& sheet);
 
-/// Returns the result of an exercise. Empty if the exercise is not known.
+/// Returns the result of an exercise. Empty if the exercise is unknown.
 [[nodiscard]] QString practisedWords(const ScoredWork& work);
 
-/// Returns the column under a point that had to be touched and was not. Empty if there is none.
+/// Returns the column below a point that should have been touched and was not. Empty if there is none.
 [[nodiscard]] std::optional<std::size_t> missedNode(const ScoredWork& work);
 
 /// Returns the rubric of a score: its name, version and the beginning of its hash.

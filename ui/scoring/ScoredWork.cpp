@@ -13,7 +13,7 @@ float aboveIdeal(const ScoredWork& work, std::size_t k)
     const core::terrain::ToothAnatomy& anatomy = *work.tooth->anatomy;
     if (!core::grading::wasSolid(anatomy, k))
         return 0.0F;
-    // An ideal may ask for more than there was.
+    // An ideal may ask for more material to be removed than the column has.
     const float ideal =
         work.ideal == nullptr ? anatomy.top[k] : std::clamp((*work.ideal)[k], anatomy.bottom[k], anatomy.top[k]);
     return core::grading::endOf(*work.tooth, k) - ideal;

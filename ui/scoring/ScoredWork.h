@@ -18,11 +18,11 @@ namespace ui::scoring {
 struct ScoredWork
 {
     std::shared_ptr<const core::terrain::Tooth> tooth;
-    core::grading::IdealTop ideal;  ///< the ideal surface; null: nothing was to be cut
+    core::grading::IdealTop ideal;  ///< the ideal surface; null: nothing had to be cut
     core::grading::Measured measured;
     std::vector<core::grading::Infraction> infractions{};
     std::uint8_t aids = 0;                              ///< bits of core::servo::Aid that were in use
-    std::optional<::lessons::PresetUsed> preset{};      ///< the preset it was made with; empty: unknown
+    std::optional<::lessons::PresetUsed> preset{};      ///< the hardness preset in use; empty: unknown
     std::optional<core::grading::Exercise> exercise{};  ///< empty: not an exercise without cutting
 };
 

@@ -78,7 +78,7 @@ SettingsPage::SettingsPage(const Actions& actions, const core::settings::Paramet
         for (auto* clear : m_search->findChildren<QAbstractButton*>())
             clear->setAccessibleName(tr("Clear the search"));
         m_none->setText(tr("No setting is called so, and none speaks of it. Look for one word, such as \"force\"."));
-        kit::showFault(m_fault, {});  // its words are in the previous language
+        kit::showFault(m_fault, {});  // its text is in the previous language
         m_blind->setText(console::blindWords());
         fill();
     });
@@ -117,7 +117,7 @@ void SettingsPage::fill()
     refresh();
 }
 
-/// Adds the rows for settings of the program that are no parameters.
+/// Adds rows for settings of the program that are not parameters.
 void SettingsPage::addWindowRows()
 {
     auto* heading = kit::formWords(tr("Window"), kTitle, QFont::DemiBold, QPalette::WindowText, m_content);
@@ -139,7 +139,7 @@ void SettingsPage::addWindowRows()
         auto* choice = kit::choiceInput(label, m_content);
         choice->setObjectName(QLatin1String(name));
         choice->setMinimumWidth(kNumberPx);
-        choice->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // as wide as its words in this language
+        choice->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // as wide as its text in this language
         choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         addRow(label, choice, help);
         return choice;
@@ -147,7 +147,7 @@ void SettingsPage::addWindowRows()
     QComboBox* language = add("language", tr("Language"), tr("Of every window, at once."));
     for (const QString& code : text::Language::available()) {
         language->addItem(text::Language::nameOf(code), code);
-        // Letters of another font may be higher; the list has room for all of one height.
+        // Text in another font may be higher, so all rows get the same height.
         language->setItemData(language->count() - 1, QSize(kNumberPx, kChoicePx), Qt::SizeHintRole);
     }
     language->setCurrentIndex(language->findData(text::Language::current()));
@@ -157,7 +157,7 @@ void SettingsPage::addWindowRows()
             if (const auto* list = findChild<QComboBox*>(QStringLiteral("language")))
                 LanguageMenu::choose(list->itemData(at).toString());
         },
-        Qt::QueuedConnection);  // this list is made anew by it
+        Qt::QueuedConnection);  // the call recreates this list
     QComboBox* theme = add("theme", tr("Pages"), tr("From the next start on. The practice room is always dark."));
     theme->addItem(tr("as the desktop"), static_cast<int>(ThemeChoice::System));
     theme->addItem(tr("light"), static_cast<int>(ThemeChoice::Light));
@@ -196,7 +196,7 @@ QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidg
                                         QString::fromStdString(parameter.unit), label, whole);
         number->setFixedWidth(kNumberPx);
         number->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-        number->setKeyboardTracking(false);  // half a number is not felt
+        number->setKeyboardTracking(false);  // a number that is still being typed has no effect
         number->setObjectName(QString::fromStdString(parameter.name));
         connect(number, &QDoubleSpinBox::valueChanged, this,
                 [this, key = parameter.name](double value) { set(key, value); });
@@ -250,7 +250,7 @@ void SettingsPage::refresh()
     m_blind->setVisible(console::isFeelVeiled(m_parameters));
 }
 
-/// Clears a message about an earlier refusal.
+/// Hides the message about an earlier refusal.
 void SettingsPage::showEvent(QShowEvent* event)
 {
     Page::showEvent(event);

@@ -13,13 +13,13 @@ class QVBoxLayout;
 
 namespace ui::settings {
 
-/// The page of all settings, in groups, each with range, unit, explanation and a reset button; generated from the
+/// The page of all settings, in groups, each with range, unit, explanation and a reset button. It is generated from the
 /// registry that the console also uses.
 class SettingsPage : public kit::Page
 {
     Q_OBJECT
 public:
-    /// @param parameters  must outlive the page; all must be registered already
+    /// @param parameters  must outlive the page, and must be complete
     SettingsPage(const kit::Actions& actions, const core::settings::Parameters& parameters, QWidget* parent);
 
     /// Shows the current values.
@@ -34,7 +34,7 @@ private:
         QWidget* whole = nullptr;
         QLabel* group = nullptr;  ///< the heading above it
         std::string name;
-        QString words;  ///< searched for matches
+        QString words;  ///< text that the search field searches
         std::function<void()> show;
     };
     void fill();

@@ -9,12 +9,12 @@
 
 namespace ui::sound {
 
-/// Layout of the samples that an output takes.
+/// Layout of the samples that an output accepts.
 struct AudioFormat
 {
     int rateHz = 48'000;
     int channels = 2;
-    bool isFloat = true;  ///< false: whole numbers of 16 bits
+    bool isFloat = true;  ///< false: 16-bit integers
     bool operator==(const AudioFormat&) const = default;
 };
 
@@ -25,21 +25,21 @@ class AudioPort : public QObject
 public:
     /// Length of the buffer between the synthesiser and the system, milliseconds.
     static constexpr int kBufferMs = 16;
-    /// How often room in that buffer is filled, milliseconds.
+    /// Interval at which that buffer is filled, milliseconds.
     static constexpr int kFillMs = 3;
 
     [[nodiscard]] virtual QList<OutputInfo> outputs() const = 0;
-    /// Formats to try with an output, the best first.
+    /// Returns the formats to try with an output, the best first.
     [[nodiscard]] virtual QList<AudioFormat> formats(const QByteArray& output) const = 0;
-    /// Begins to read samples from a source. Stops what was playing before.
+    /// Begins to read samples from a source. Stops the previous source.
     /// @param source  open; must live until stop()
-    /// @returns false if the output is missing or refuses the format
+    /// @returns false if the output is missing or rejects the format
     [[nodiscard]] virtual bool start(const QByteArray& output, const AudioFormat& format, QIODevice& source) = 0;
     virtual void stop() = 0;
 
 signals:
     void outputsChanged();
-    /// Emitted when an output stops by itself, because it is gone or broken.
+    /// Emitted when an output stops by itself, because it was removed or has failed.
     void stopped();
 };
 

@@ -26,7 +26,7 @@ char* putFrame(char* data, T value, int channels)
 BlockSource::BlockSource(core::rt::TripleBuffer<core::audio::SoundState>& state)
     : m_state(&state), m_synthesizer(m_format.rateHz)
 {
-    // A buffer of Qt's own would be filled far ahead.
+    // Unbuffered, because Qt would fill a buffer of its own far ahead.
     open(QIODevice::ReadOnly | QIODevice::Unbuffered);
 }
 

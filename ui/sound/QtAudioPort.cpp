@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kLookMs = 1'000;
 
-/// Returns the output with this id; null if it is missing.
+/// Returns the output with this id, or a null device if it is missing.
 QAudioDevice deviceOf(const QByteArray& id)
 {
     const QList<QAudioDevice> devices = QMediaDevices::audioOutputs();
@@ -23,11 +23,11 @@ QAudioDevice deviceOf(const QByteArray& id)
     return found == devices.end() ? QAudioDevice() : *found;
 }
 
-/// Outputs of the system, as Qt Multimedia lists them.
+/// The audio outputs of the system, as Qt Multimedia lists them.
 ///
-/// Qt 6.4 with PulseAudio does not signal that outputs appear or vanish, so the list is read every second. The samples
-/// are pushed: if Qt pulls, it fetches 20 ms at a time, and none at all from a shorter buffer, so a load would be heard
-/// after 40 ms or more.
+/// Qt 6.4 with PulseAudio sends no signal when an output appears or vanishes, so the list is read every second. Samples
+/// are pushed. If Qt pulls them, it fetches 20 ms at a time, and none at all from a shorter buffer, so a load would be
+/// heard after 40 ms or more.
 class QtAudioPort final : public AudioPort
 {
 public:
@@ -45,8 +45,8 @@ private:
     void look();
 
     std::unique_ptr<QAudioSink> m_sink;
-    QIODevice* m_to = nullptr;    ///< takes the samples of m_sink
-    QIODevice* m_from = nullptr;  ///< has them
+    QIODevice* m_to = nullptr;    ///< writes samples to m_sink
+    QIODevice* m_from = nullptr;  ///< source of the samples
     QByteArray m_block;
     QTimer m_fill{this};
     QList<OutputInfo> m_known;
@@ -95,7 +95,7 @@ QList<AudioFormat> QtAudioPort::formats(const QByteArray& output) const
     constexpr int kLeastRateHz = 22'050;
     constexpr int kMostRateHz = 96'000;
     QList<int> rates{48'000, 44'100, kLeastRateHz};
-    // The output's own rate needs no conversion.
+    // The output's preferred rate needs no conversion, so it is tried first.
     const int own = deviceOf(output).preferredFormat().sampleRate();
     if (own >= kLeastRateHz && own <= kMostRateHz) {
         rates.removeAll(own);
@@ -128,7 +128,7 @@ bool QtAudioPort::start(const QByteArray& output, const AudioFormat& format, QIO
         m_sink.reset();
         return false;
     }
-    // Queued: the answer may be to destroy the sink.
+    // Queued, because the receiver may destroy the sink.
     connect(
         m_sink.get(), &QAudioSink::stateChanged, this,
         [this](QAudio::State state) {

@@ -7,8 +7,8 @@
 
 namespace ui::sound {
 
-/// The audio outputs that Qt Multimedia finds. The samples are read in the thread that calls this, which needs an event
-/// loop.
+/// Returns the audio outputs that Qt Multimedia finds. Samples are read in the thread that calls this function, which
+/// needs an event loop.
 [[nodiscard]] std::unique_ptr<AudioPort> qtAudioPort();
 
 }  // namespace ui::sound

@@ -84,7 +84,7 @@ void SoundPlayer::playSample()
     m_sampleWatch.start();
 }
 
-/// Lists the outputs, and tries a failed one again.
+/// Lists the outputs, and retries one that has failed.
 void SoundPlayer::listOutputs()
 {
     const QList<OutputInfo> outputs = m_port->outputs();
@@ -96,7 +96,7 @@ void SoundPlayer::listOutputs()
     update();
 }
 
-/// Returns the output to play on; null if there is none.
+/// Returns the output to play on, or null if there is none.
 const OutputInfo* SoundPlayer::chosenOutput() const
 {
     const auto first = [this](auto fits) { return std::find_if(m_outputs.begin(), m_outputs.end(), fits); };
@@ -108,7 +108,7 @@ const OutputInfo* SoundPlayer::chosenOutput() const
     return found == m_outputs.end() ? nullptr : &*found;
 }
 
-/// Opens, changes or closes the output as the settings and the work require.
+/// Opens, changes or closes the output to match the settings and whether the handpiece is in use.
 void SoundPlayer::update()
 {
     if (!m_port)
@@ -161,7 +161,7 @@ void SoundPlayer::close()
     m_rateHz = 0;
 }
 
-/// Handles an output that has stopped by itself. It may be gone for good, or back in a moment.
+/// Handles an output that has stopped by itself. It may be gone, or return in a moment.
 void SoundPlayer::lose()
 {
     if (m_isOpening)

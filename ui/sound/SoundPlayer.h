@@ -13,16 +13,16 @@ namespace ui::sound {
 
 /// Plays the sound of the handpiece on the output that the user has chosen.
 ///
-/// If that output is missing, the default output of the system plays until it returns. If an output refuses a format,
-/// the next one is tried. Without any output nothing is heard, and the report says so.
+/// If that output is missing, plays on the system's default output until it returns. If an output rejects a format, the
+/// next one is tried. Without any output there is no sound, and the report says so.
 ///
-/// Lives in the sound thread; all functions after the constructor are called there. The port is created there, too.
+/// Lives in the sound thread. All functions except the constructor are called there, and the port is created there.
 class SoundPlayer final : public QObject
 {
     Q_OBJECT
 public:
     using MakePort = std::function<std::unique_ptr<AudioPort>()>;
-    /// Time after which an output that failed is tried again, and after which an unused output is closed.
+    /// Time after which a failed output is tried again, and an unused output is closed.
     static constexpr int kRetryMs = 1'000;
     static constexpr int kIdleMs = 1'500;
 
@@ -34,10 +34,10 @@ public:
     /// Closes the port, then emits ended(). Call this last, while the thread runs.
     void end();
     void setSettings(const SoundSettings& settings);
-    /// Sets whether the work on the tooth is heard now.
+    /// Sets whether the handpiece at the tooth is audible now.
     void setHeard(bool isHeard);
     void playSample();
-    /// Plays another state from now on, which has to outlive the player, too.
+    /// Plays another state from now on. It must outlive the player, too.
     void setState(core::rt::TripleBuffer<core::audio::SoundState>& state) { m_source.setState(state); }
 
 signals:
@@ -59,7 +59,7 @@ private:
     BlockSource m_source;
     SoundSettings m_settings;
     QList<OutputInfo> m_outputs;
-    OutputInfo m_playing;  ///< while m_rateHz is not 0
+    OutputInfo m_playing;  ///< the open output; valid while m_rateHz is not 0
     int m_rateHz = 0;      ///< 0: no output is open
     bool m_isHeard = false;
     bool m_isRefused = false;

@@ -9,11 +9,11 @@
 
 namespace ui::sound {
 
-/// What the user sets for sound.
+/// The user's settings for sound.
 struct SoundSettings
 {
     bool isOn = true;
-    core::audio::Volumes volumes;  ///< its member isMuted is not used; isOn takes its place
+    core::audio::Volumes volumes;  ///< isMuted is not used; isOn replaces it
     QByteArray output;             ///< id of an audio output; empty: the default output of the system
     bool operator==(const SoundSettings&) const = default;
 };
@@ -22,17 +22,17 @@ struct SoundSettings
 struct OutputInfo
 {
     QByteArray id;
-    QString name;  ///< as the system calls it
+    QString name;  ///< the system's name of the output
     bool isDefault = false;
     bool operator==(const OutputInfo&) const = default;
 };
 
 enum class SoundStage : std::uint8_t {
     Off,       ///< the user has turned sound off
-    Ready,     ///< there is an output; nothing is to be heard now
-    Playing,   ///< the output takes samples
+    Ready,     ///< there is an output, and no sound to play now
+    Playing,   ///< the output is playing
     NoOutput,  ///< this computer has no audio output
-    Refused    ///< the output takes none of the formats, or stopped; it is tried again
+    Refused    ///< the output accepts none of the formats, or has stopped; it is tried again
 };
 
 /// State of the sound output.

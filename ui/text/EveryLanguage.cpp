@@ -8,7 +8,7 @@
 namespace ui::text {
 namespace {
 
-/// Calls a function when the language changes. A widget passes the event to all its children.
+/// Calls a function when the language changes. A widget passes that event on to all its children.
 class Sayer final : public QObject
 {
 public:

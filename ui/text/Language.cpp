@@ -71,16 +71,16 @@ QString Language::current()
 void Language::choose(const QString& code)
 {
     Spoken& now = spoken();
-    // Before the words, which are said again with numbers in them.
+    // The locale is set before the translators, because retranslated text contains numbers.
     const QLocale named(code);
-    // A computer that was told no place writes days with seconds, and English without one is American: it is spoken as
-    // in most of the world, whether it was chosen or not.
+    // The C locale writes dates with seconds, and English without a country is American. Both become British English,
+    // whether the user chose the language or not.
     const bool isAnywhere = named.language() == QLocale::C || code == u"en";
     const QLocale wanted = isAnywhere ? QLocale(QLocale::English, QLocale::UnitedKingdom) : named;
     const bool isSystems = !code.contains(u'_') && QLocale::system().language() == wanted.language();
     QLocale::setDefault(isSystems ? QLocale::system() : wanted);
     for (QTranslator* before : std::exchange(now.translators, {}))
-        delete before;  // which takes it back
+        delete before;  // the destructor removes it from the application
     now.code = isAvailable(code) ? languageOf(code) : QStringLiteral("en");
     const auto add = [&](const QString& file, const QString& folder) {
         auto translator = std::make_unique<QTranslator>(QCoreApplication::instance());
@@ -89,7 +89,7 @@ void Language::choose(const QString& code)
         QCoreApplication::installTranslator(translator.get());
         now.translators << translator.release();
     };
-    add(fileOf(now.code), {});  // of English the plurals
+    add(fileOf(now.code), {});  // for the plurals of English
     add(QStringLiteral("qtbase_") + now.code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
 }
 

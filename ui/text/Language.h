@@ -19,8 +19,8 @@ public:
 
     /// Returns the code of the current language, one of available().
     [[nodiscard]] static QString current();
-    /// Switches all windows to a language. A language that is not available becomes English, with the numbers and dates
-    /// of `code`. If the system uses the same language with a country, its numbers and dates are used.
+    /// Switches all windows to a language. Uses English instead of a language that is not available, but the number and
+    /// date formats of `code`. If the system uses the same language with a country, the system's formats are used.
     static void choose(const QString& code);
 };
 

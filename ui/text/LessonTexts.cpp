@@ -25,7 +25,7 @@ using ::lessons::Task;
 
 namespace {
 
-// Names that core gives the numbers of an ideal and of a block, for translators.
+// Names that core gives to the sizes of an ideal and of a block, for translators.
 [[maybe_unused]] constexpr const char* kFieldNames[] = {
     QT_TRANSLATE_NOOP("Field", "width of the isthmus"),
     QT_TRANSLATE_NOOP("Field", "depth of the pulpal floor"),
@@ -195,7 +195,7 @@ QString burWords(const Lesson& lesson)
 
 namespace {
 
-/// Returns the names of the aids that are allowed, or of the others.
+/// Returns the names of the aids that are allowed, or of those that are not.
 QStringList aidNames(const ::lessons::Aids& aids, bool areAllowed)
 {
     QStringList names;

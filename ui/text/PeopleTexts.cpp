@@ -15,7 +15,7 @@ struct PersonWords
 };
 
 constexpr qint64 kWeekDays = 7;
-constexpr qint64 kMonthsFromDays = 300;  ///< so long ago, the month is enough
+constexpr qint64 kMonthsFromDays = 300;  ///< older dates show only month and year
 
 }  // namespace
 

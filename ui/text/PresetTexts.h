@@ -21,7 +21,7 @@ namespace ui::text {
 [[nodiscard]] QString presetWords(const lessons::PresetUsed& used);
 [[nodiscard]] QString presetWords(const core::settings::FeelPreset& preset);
 
-/// Returns the highest stiffness that the servo loop keeps stable; for an unstable preset, what to change.
+/// Returns the highest stiffness that the servo loop keeps stable. For an unstable preset, returns what to change.
 [[nodiscard]] QString boundWords(const core::settings::FeelPreset& preset);
 /// Returns the errors and warnings of a preset file, with file and key.
 [[nodiscard]] QString faultWords(const lessons::ReadPreset& read);

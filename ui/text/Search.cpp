@@ -8,8 +8,8 @@
 namespace ui::text {
 namespace {
 
-/// Returns whether a character is a Japanese mark that turns "ka" into "ga" or "ha" into "pa". Those are other letters,
-/// not accents.
+/// Returns whether a character is a Japanese voicing mark, which turns "ka" into "ga" or "ha" into "pa". The results
+/// are other letters, not accented ones.
 bool isVoicing(QChar letter)
 {
     return letter == QChar(0x3099) || letter == QChar(0x309A);
@@ -21,7 +21,7 @@ QString plain(const QString& words)
 {
     QString parted = words.normalized(QString::NormalizationForm_KD);
     parted.removeIf([](QChar letter) { return letter.category() == QChar::Mark_NonSpacing && !isVoicing(letter); });
-    parted.replace(QChar(0xDF), QStringLiteral("ss"));  // which Qt leaves as it is
+    parted.replace(QChar(0xDF), QStringLiteral("ss"));  // Qt does not decompose it
     return parted.toCaseFolded().normalized(QString::NormalizationForm_C);
 }
 

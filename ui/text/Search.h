@@ -6,12 +6,12 @@
 /// Text comparison for all searches of the program.
 namespace ui::text {
 
-/// Returns text without case, accents and character width, so that "linea" finds "Línea".
+/// Returns text in lower case, without accents and in normal character width, so that "linea" finds "Línea".
 [[nodiscard]] QString plain(const QString& words);
 
-/// Returns whether a part occurs in the whole. An empty part always does.
+/// Returns whether `all` contains `part`. An empty part is always contained.
 [[nodiscard]] bool holds(const QString& all, const QString& part);
-/// Returns whether each of the words, separated by spaces, occurs.
+/// Returns whether `all` contains each of the words, which are separated by spaces.
 [[nodiscard]] bool holdsEach(const QString& all, const QString& words);
 
 }  // namespace ui::text

@@ -62,7 +62,7 @@ QString kindName(int position)
     }
 }
 
-/// Returns what to do with a file of no use.
+/// Returns the advice for a file that cannot be used.
 QString remedy(FailedOperation failed)
 {
     switch (failed) {
@@ -93,7 +93,7 @@ QString remedy(FailedOperation failed)
     return {};
 }
 
-/// Returns the sentence about a file of the wrong kind.
+/// Returns the message about a file of the wrong kind.
 QString wrongKind(FailedOperation failed)
 {
     switch (failed) {
@@ -123,7 +123,7 @@ QString wrongKind(FailedOperation failed)
 
 QString unwritable(FailedOperation failed)
 {
-    if (failed == FailedOperation::KeepingGrade)  // a grade waits there until the school has it
+    if (failed == FailedOperation::KeepingGrade)  // the grade waits there until it is uploaded
         return QCoreApplication::translate("Error", "The folder “outbox”, where grades wait for the school, "
                                                     "cannot be written. Make room on the disk, or make that "
                                                     "folder writable.");
@@ -145,7 +145,7 @@ QString tooLarge(FailedOperation failed)
 QString connectionLost(FailedOperation failed)
 {
     if (failed == FailedOperation::ChangingSchool ||
-        failed == FailedOperation::Reporting)  // Cusp does not repeat these by itself
+        failed == FailedOperation::Reporting)  // Cusp does not retry these by itself
         return QCoreApplication::translate(
             "Error", "The school's server does not answer. Try it again when the server answers.");
     return QCoreApplication::translate("Error", "The school's server does not answer. Cusp tries again by itself.");
@@ -235,7 +235,7 @@ QString reason(core::ErrorCode code, FailedOperation failed)
 
 QString errorText(const core::Error& error, FailedOperation failed)
 {
-    if (error.code == core::ErrorCode::OutcomeUnknown)  // nor does anybody know what has failed
+    if (error.code == core::ErrorCode::OutcomeUnknown)  // the operation may have succeeded
         return reason(error.code, failed);
     switch (failed) {
     case FailedOperation::OpeningScan:
@@ -316,7 +316,7 @@ QString loginFault(const core::Error& error)
         return QCoreApplication::translate(
             "Login", "Wrong username or password. Try again, or ask an admin for a one-time code.");
     case core::ErrorCode::TooSoon: {
-        // The sentence has one number.
+        // The detail contains one number, the seconds to wait.
         static const QRegularExpression kNumber(QStringLiteral("\\d+"));
         const int seconds = kNumber.match(QString::fromStdString(error.detail)).captured().toInt();
         return QCoreApplication::translate("Login", "Too many logins have failed. Wait %n second(s) and try again.",
@@ -460,7 +460,7 @@ QStringList surfaceLetters(int fdi)
 
 namespace {
 
-/// Returns "Practice block: cross"; empty if the name is of no block.
+/// Returns "Practice block: cross", or an empty string if the name is not of a block.
 QString blockTitle(const std::string& name)
 {
     const auto block = core::teeth::findBlock(name);
@@ -521,7 +521,7 @@ QString sideName(const core::terrain::ToothAnatomy& tooth, double angleRad)
     const bool front = tooth.fdi % 10 <= 3;
     const bool upper = tooth.fdi / 10 == 2;
     const bool outwards = static_cast<double>(y) * core::teeth::buccalSign(tooth.fdi) > 0.0;
-    // Whole words, as other languages join them in other ways.
+    // Whole words, because other languages combine them differently.
     const auto outer = [&](const QString& labial, const QString& buccal) { return front ? labial : buccal; };
     const auto inner = [&](const QString& palatal, const QString& lingual) { return upper ? palatal : lingual; };
     const auto say = [](const char* word) { return QCoreApplication::translate("Direction", word); };
@@ -547,7 +547,7 @@ QString directionName(const core::terrain::ToothAnatomy& tooth, double angleRad)
 {
     if (tooth.lying.isUpright())
         return sideName(tooth, angleRad);
-    // Every axis of the tooth that the direction is within 67.5 degrees of, as for an upright one.
+    // Every axis of the tooth within 67.5 degrees of the direction, as for an upright tooth.
     constexpr double kLeastShare = 0.3827;
     const glm::dvec3 own =
         glm::transpose(tooth.lying.cutFromOwn()) * glm::dvec3(std::cos(angleRad), std::sin(angleRad), 0.0);
@@ -588,7 +588,7 @@ QString planeAlongY(const core::terrain::ToothAnatomy& tooth)
 
 namespace {
 
-/// Returns words in which "%1" is the number of a carbide bur.
+/// Returns the name of a carbide bur, with "%1" for its number.
 const char* carbideWords(core::bur::BurShape shape)
 {
     using Shape = core::bur::BurShape;
@@ -625,7 +625,7 @@ const char* carbideWords(core::bur::BurShape shape)
     return QT_TRANSLATE_NOOP("Bur", "Chamfer, No. %1");
 }
 
-/// Returns words in which "%1" is the number of a diamond.
+/// Returns the name of a diamond bur, with "%1" for its number.
 const char* diamondWords(core::bur::BurShape shape)
 {
     using Shape = core::bur::BurShape;
@@ -738,7 +738,9 @@ QString criterionMeasured(const lessons::Criterion& criterion)
 
 namespace {
 
-/// Returns "3.20 − 1.00 free" or "|1.95 − 1.50| − 0.25 free": the remaining error of a value.
+/// Returns the calculation of the error beyond the tolerance: "3.20 − 1.00 free" or "
+/// 1.95 − 1.50
+/// − 0.25 free".
 QString errorWorked(const lessons::Criterion& criterion)
 {
     const QString value = number(*criterion.measured, 2);
@@ -757,7 +759,7 @@ QString errorWorked(const lessons::Criterion& criterion)
     return off;
 }
 
-/// Returns the range without loss: "up to 8.00 mm³", "1.50 ± 0.25 mm", "at least 1.60 mm".
+/// Returns the range that loses no points: "up to 8.00 mm³", "1.50 ± 0.25 mm", "at least 1.60 mm".
 QString freeRange(const lessons::Criterion& criterion)
 {
     const QString unit = unitName(criterion.unit);
@@ -822,7 +824,7 @@ QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict ve
 
 QString scoreSum(const lessons::ScoreSheet& sheet)
 {
-    if (sheet.criteria.empty())  // what cost points is not known
+    if (sheet.criteria.empty())  // the criteria that cost points are unknown
         return points(sheet.totalTenths);
     QString sum = points(lessons::kFullTenths);
     for (const lessons::Criterion& criterion : sheet.criteria)

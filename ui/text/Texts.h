@@ -13,7 +13,7 @@
 #include "core/terrain/Tooth.h"
 #include "lessons/ScoreSheet.h"
 
-/// Texts for codes and values of the lower layers, in the user's language. Only this file decides on these texts.
+/// Texts for codes and values of the lower layers, in the user's language. Only this file defines these texts.
 namespace ui::text {
 
 /// The operation that failed.
@@ -26,23 +26,24 @@ enum class FailedOperation {
     SavingReference,
     Marking,
     KeepingGrades,
-    KeepingGrade,    ///< to the disk; it is retried
+    KeepingGrade,    ///< saving a grade to the disk; it is retried
     ReadingSchool,   ///< reading people, classes or attempts
-    ChangingSchool,  ///< the same, writing; no change was made
+    ChangingSchool,  ///< writing people, classes or attempts; no change was made
     Reporting,       ///< printing or exporting, including what must be read for it
-    SendingAttempt,  ///< to the database; the attempt is damaged
-    KeepingAttempt,  ///< to the disk, while it is being made
-    KeepingExam,     ///< the same, of an exam, which cannot be saved by hand
-    ResumingAttempt  ///< an unfinished one
+    SendingAttempt,  ///< sending an attempt to the database; the attempt is damaged
+    KeepingAttempt,  ///< saving an unfinished attempt to the disk
+    KeepingExam,     ///< the same for an exam, which the user cannot save
+    ResumingAttempt  ///< resuming an unfinished attempt
 };
 
 /// Returns what happened, what still works and what to try, in two or three sentences. The detail of the error
 /// (English, exact) is not included; it is for the log and for tooltips.
 [[nodiscard]] QString errorText(const core::Error& error, FailedOperation failed);
-/// Returns why a person could not log in or be entered.
+/// Returns why a person could not log in or be added.
 [[nodiscard]] QString loginFault(const core::Error& error);
 
-/// Returns what the importer guessed, left out or did not understand, one sentence each; empty if there is none.
+/// Returns what the importer assumed, left out or did not understand, one sentence each. Empty if there is nothing to
+/// report.
 [[nodiscard]] QStringList scanNotes(const core::teeth::ToothReport& report);
 
 /// Returns a local time today, or a local day and time.
@@ -55,18 +56,18 @@ enum class FailedOperation {
 
 /// Returns a name such as "lower left first molar"; empty for a number that is not an FDI tooth.
 [[nodiscard]] QString toothName(int fdi);
-/// Returns one or two letters for the sides of a tooth of the left half, in the order of the axes of its frame: -x
-/// mesial, +x distal, -y, +y (cheek or lip, palate or tongue), -z (empty), +z occlusal or incisal. Empty for no tooth.
+/// Returns one or two letters for each side of a tooth of the left half, in the order of its axes: -x mesial, +x
+/// distal, -y and +y (cheek or lip, palate or tongue), -z (empty), +z occlusal or incisal. Empty if there is no tooth.
 [[nodiscard]] QStringList surfaceLetters(int fdi);
 /// Returns "Tooth 36", "Practice block: cross", or the file name of a scan without a number.
 [[nodiscard]] QString toothTitle(const core::terrain::ToothAnatomy& tooth);
 
-/// Returns the name of a direction at right angles to the axis of a tooth: "distal", "mesiobuccal"; for a scan with
-/// unknown sides "+x", "−x +y".
-/// @param angleRad  about +z of its own frame, 0 along +x
+/// Returns the name of a direction perpendicular to the axis of a tooth: "distal", "mesiobuccal". For a scan with
+/// unknown sides: "+x", "−x +y".
+/// @param angleRad  about +z of the tooth's own frame, 0 along +x
 [[nodiscard]] QString sideName(const core::terrain::ToothAnatomy& tooth, double angleRad);
-/// Returns the name of a horizontal direction of the frame in which a tooth is cut: as sideName() for an upright tooth;
-/// for a tooth on its side also "incisal", "apical", "mesial / occlusal".
+/// Returns the name of a horizontal direction in the frame in which a tooth is cut. For an upright tooth it is that of
+/// sideName(). For a tooth on its side it may also be "incisal", "apical" or "mesial / occlusal".
 /// @param angleRad  about +z of that frame, 0 along +x
 [[nodiscard]] QString directionName(const core::terrain::ToothAnatomy& tooth, double angleRad);
 /// Return the names of the two usual planes in the terms of directionName(): "Mesio-distal" and "Bucco-lingual", or
@@ -79,15 +80,15 @@ enum class FailedOperation {
 /// Returns the displayed name of a handpiece by its name in settings; an unknown name is returned unchanged.
 [[nodiscard]] QString handpieceName(std::string_view name);
 
-/// Returns the meaning of core::servo::Health bits for the user, the most severe first; empty if there are none.
+/// Returns the meaning of core::servo::Health bits for the user, the most severe first. Empty if no bit is set.
 [[nodiscard]] QString healthText(std::uint32_t health);
 
 /// Returns the title that the rubric gives a criterion in the user's language, otherwise the name of its measure:
 /// "Decay left".
 [[nodiscard]] QString criterionName(const lessons::Criterion& criterion);
-/// Returns the condition for a criterion to earn points: "50 % of the decay is removed".
+/// Returns the condition under which a criterion earns points: "50 % of the decay is removed".
 [[nodiscard]] QString onceWords(const lessons::Once& once);
-/// Returns two sentences on what "sound_tissue" counts, for the panel beside the tooth and the score page.
+/// Returns two sentences that explain what "sound_tissue" measures, for the panel beside the tooth and the score page.
 [[nodiscard]] QString soundTissueCounted();
 /// Returns the measured value: "12.4 %", "1.84 mm³", "not measured".
 [[nodiscard]] QString criterionMeasured(const lessons::Criterion& criterion);
@@ -106,10 +107,10 @@ enum class FailedOperation {
 [[nodiscard]] QString capitalised(QString words);
 /// Returns minutes and seconds: "1:07".
 [[nodiscard]] QString duration(double seconds);
-/// Returns the format of a day without its year: the translated "d MMM", in American English with the month first.
+/// Returns the format of a date without its year: the translated "d MMM", but with the month first in American English.
 [[nodiscard]] QString dayFormat(const QString& translated);
 
-/// Returns which aids were in use, or that none was.
+/// Returns the aids that were in use, or that none was.
 /// @param aids  bits of core::servo::Aid
 [[nodiscard]] QString aidWords(std::uint64_t aids);
 

@@ -12,7 +12,7 @@
 namespace ui::text {
 namespace {
 
-// Words of core, which does not use Qt, about a lesson's words and numbers, for translators.
+// Texts of core about a lesson's texts and numbers, for translators. Core itself does not use Qt.
 [[maybe_unused]] constexpr const char* kSaidByCore[] = {
     //: %1: what has no words of its own but English ones
     QT_TRANSLATE_NOOP("Fault", "%1"),
@@ -152,7 +152,7 @@ namespace {
     QT_TRANSLATE_NOOP("Fault", "points"), QT_TRANSLATE_NOOP("Fault", "percent"), QT_TRANSLATE_NOOP("Fault", "degrees"),
     QT_TRANSLATE_NOOP("Fault", "minutes")};
 
-/// Returns the translation of a number's name, which the form of an ideal has already.
+/// Returns the translation of a text. Names of numbers may be translated in the form of an ideal.
 std::string translated(const std::string& english)
 {
     QString words = QCoreApplication::translate("Fault", english.c_str());
@@ -161,7 +161,7 @@ std::string translated(const std::string& english)
     return words.toStdString();
 }
 
-/// Returns a noted number with a fraction, perhaps with its unit, in the form of the language; other text as noted.
+/// Returns a decimal number, with or without a unit, in the format of the language. Returns any other text unchanged.
 std::string localised(const std::string& noted)
 {
     static const QRegularExpression fraction(QStringLiteral("^(-?\\d+\\.(\\d+))( MB)?$"));

@@ -12,13 +12,13 @@
 namespace ui::tooth {
 namespace {
 
-constexpr double kLeastDepthMm = 0.01;  ///< before the eye, of what is looked for on the screen
-constexpr double kPerNotch = 0.88;      ///< distance after one notch of the wheel
+constexpr double kLeastDepthMm = 0.01;  ///< least depth of a point that is projected to the screen
+constexpr double kPerNotch = 0.88;      ///< factor of the distance after one notch of the wheel
 constexpr double kFollowS = 0.07;       ///< time constant of the zoom
-constexpr double kClosest = 0.22;       ///< of the fitting distance
+constexpr double kClosest = 0.22;       ///< smallest distance, as a share of the fitting distance
 constexpr double kFurthest = 2.5;
-constexpr double kDownDeg = 75.0;   ///< elevation of the eye that looks down at a place
-constexpr double kDownShare = 0.6;  ///< its distance, of the fitting one
+constexpr double kDownDeg = 75.0;   ///< elevation of an eye that looks down at a place
+constexpr double kDownShare = 0.6;  ///< and its distance, as a share of the fitting distance
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void Camera::reset()
     fit();
 }
 
-/// Fits the whole subject, in the middle.
+/// Fits the whole subject into the view and centres it.
 void Camera::fit()
 {
     m_fitted = true;
@@ -145,7 +145,7 @@ void Camera::moveTo(double distanceMm)
     if (distanceMm < m_distanceMm) {
         m_lookAtMm = glm::mix(m_towardsMm, m_lookAtMm, distanceMm / m_distanceMm);
     } else {
-        // In the middle again at the latest where all of it fits.
+        // Moves back towards the centre, and reaches it at the latest where the whole subject fits.
         const double before = fittingMm() - m_distanceMm;
         const double after = fittingMm() - distanceMm;
         m_lookAtMm = after > 0.0 ? glm::mix(m_centreMm, m_lookAtMm, after / before) : m_centreMm;
@@ -167,7 +167,7 @@ double Camera::fittingMm() const
     return m_radiusMm / std::sin(std::atan(narrower));
 }
 
-/// Returns the axes turned by the lean, as if the head moved around a still tooth.
+/// Returns the camera's axes, rotated by the lean as if the user's head moved around a fixed tooth.
 Camera::Axes Camera::axes() const
 {
     const double azimuth = glm::radians(m_azimuthDeg);
@@ -213,7 +213,7 @@ render::Ray Camera::rayThrough(glm::dvec2 pixel) const
     const double up = (1.0 - 2.0 * pixel.y / m_sizePx.y) * high;
     const Axes screen = axes();
     const glm::dvec3 eye = eyeMm();
-    // The middle of the screen is at what is looked at.
+    // The middle of the screen shows the point that the camera looks at.
     const glm::dvec3 onScreen = m_lookAtMm + distanceMm() * (right * screen.right + up * screen.up);
     return {eye, glm::normalize(onScreen - eye)};
 }

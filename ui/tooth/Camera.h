@@ -23,11 +23,11 @@ inline constexpr double kAtOnceS = 10.0;  ///< Time after which every animation 
 class Camera
 {
 public:
-    static constexpr double kFieldOfViewDeg = 27.0;  ///< vertical
+    static constexpr double kFieldOfViewDeg = 27.0;  ///< vertical field of view
     static constexpr double kStartAzimuthDeg = 18.0;
     static constexpr double kStartElevationDeg = 48.0;
-    static constexpr double kAboveDeg = 80.0;    ///< elevation from which a cavity is seen to its floor
-    static constexpr double kLowestDeg = -85.0;  ///< from below, where a perforation shows
+    static constexpr double kAboveDeg = 80.0;    ///< elevation from which the floor of a cavity is visible
+    static constexpr double kLowestDeg = -85.0;  ///< a view from below, which shows a perforation
     static constexpr double kHighestDeg = 88.0;
 
     /// Sets the sphere that must fit the picture.
@@ -41,9 +41,9 @@ public:
     void reset();
     /// Copies the viewpoint of another camera.
     void lookAs(const Camera& other);
-    /// Looks from where a student looked.
+    /// Looks from the student's viewpoint.
     void lookFrom(const core::session::Sight& sight);
-    /// Returns from where the camera looks, for lookFrom().
+    /// Returns the viewpoint, for lookFrom().
     [[nodiscard]] core::session::Sight sight() const;
     /// Looks steeply down at a place from close by, so that no cusp hides it.
     void lookDownAt(glm::dvec3 placeMm);
@@ -62,7 +62,7 @@ public:
     /// Advances the animation of the zoom. Returns true while it still moves.
     bool advance(double seconds);
 
-    // Of the eye, with its lean.
+    // Angles of the eye, including the lean.
     [[nodiscard]] double azimuthDeg() const;
     [[nodiscard]] double elevationDeg() const;
     [[nodiscard]] double distanceMm() const { return m_distanceMm * m_lean.farther; }
@@ -76,7 +76,7 @@ public:
     [[nodiscard]] render::Ray rayThrough(glm::dvec2 pixel) const;
     /// Returns the pixel at which a point is seen. A point behind the eye is far outside the viewport, on its side.
     [[nodiscard]] glm::dvec2 pixelOf(glm::dvec3 pointMm) const;
-    /// Unit vectors of the tooth's x, y plane that point right and up (away) on the screen.
+    /// Return unit vectors of the tooth's x, y plane that point right and up (away) on the screen.
     [[nodiscard]] glm::dvec2 rightOnTooth() const;
     [[nodiscard]] glm::dvec2 awayOnTooth() const;
 

@@ -15,8 +15,8 @@ const QColor kWords(240, 240, 238);
 const QColor kQuietWords(178, 182, 186);
 const QColor kRing(250, 250, 248);
 const QColor kPin(77, 201, 195);
-constexpr double kPinPx = 26.0;     ///< from the tip to the middle of the head
-constexpr double kPinHeadPx = 6.5;  ///< its radius
+constexpr double kPinPx = 26.0;     ///< distance from a pin's tip to the middle of its head
+constexpr double kPinHeadPx = 6.5;  ///< radius of the head
 const QColor kTouched(0x0F, 0x8B, 0x8D);
 const QColor kPointer(0x3C, 0xC8, 0xCA);
 const QColor kGround(38, 40, 43);
@@ -26,7 +26,7 @@ constexpr double kLeastRadiusPx = 9.0;
 constexpr double kSpotPx = 8.0;
 constexpr double kScaleTopMm = 1.0;
 constexpr double kScaleBottomMm = -3.0;
-constexpr double kScaleShare = 0.35;  ///< of the view's height
+constexpr double kScaleShare = 0.35;  ///< length of the scale, as a share of the view's height
 constexpr double kLeastScalePx = 80.0;
 constexpr double kMostScalePx = 200.0;
 constexpr double kMarginPx = 20.0;

@@ -11,13 +11,13 @@
 namespace ui::tooth {
 namespace {
 
-/// From a higher or lower eye, only the jaw that faces it is drawn.
+/// Elevation of the eye, up or down, beyond which only the jaw that faces the eye is drawn.
 constexpr double kOneJawDeg = 24.0;
-/// Radius that must fit the picture, as a share of the extent of the teeth: for both jaws, and for one alone, which
-/// fills more of its ball.
+/// Radius that must fit into the picture, as a share of the extent of the teeth: for both jaws, and for one jaw, which
+/// fills more of its bounding ball.
 constexpr double kBothJaws = 0.52;
 constexpr double kOneJaw = 0.62;
-/// Over the viewer's left shoulder, in the eye's frame.
+/// Direction of the light over the viewer's left shoulder, in the eye's frame.
 const glm::dvec3 kLamp = glm::normalize(glm::dvec3(-0.35, 0.55, 0.75));
 const glm::dvec3 kSky = glm::normalize(glm::dvec3(0.0, 0.5, 0.86));
 

@@ -20,7 +20,7 @@ double axisOf(const Controller& gamepad, std::size_t axis)
     return std::isfinite(reading) ? std::clamp(reading, -1.0, 1.0) : 0.0;
 }
 
-/// Returns the deflection of a stick. A stick is round: its distance counts, and not each axis.
+/// Returns the deflection of a stick. The dead zone is round: it applies to the distance and not to each axis.
 glm::dvec2 stickOf(const Controller& gamepad, std::size_t x, std::size_t y)
 {
     const glm::dvec2 reading(axisOf(gamepad, x), -axisOf(gamepad, y));

@@ -10,8 +10,8 @@ namespace ui::tooth {
 /// Movement of the bur and the view that a gamepad requests.
 struct PadInput
 {
-    glm::dvec2 move{0.0};  ///< of the bur: to the right and away from the eye, -1 to 1 of the highest speed
-    glm::dvec2 turn{0.0};  ///< of the eye: to the right and up, the same
+    glm::dvec2 move{0.0};  ///< movement of the bur to the right and away from the eye; -1 to 1 times the highest speed
+    glm::dvec2 turn{0.0};  ///< rotation of the eye to the right and upwards, likewise
     double press = 0.0;    ///< share of the force, 0 to 1; 0: the bur does not push
     bool operator==(const PadInput&) const = default;
 };

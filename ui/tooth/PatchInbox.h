@@ -24,8 +24,8 @@ private:
     void keepEarly(const core::servo::TilePatch& patch);
 
     std::uint64_t m_generation = 0;
-    std::vector<core::servo::TilePatch> m_group;     ///< of the shown tooth; the group is not complete yet
-    std::vector<core::servo::TilePatch> m_complete;  ///< of the shown tooth
+    std::vector<core::servo::TilePatch> m_group;     ///< patches of the shown tooth; the group is not complete yet
+    std::vector<core::servo::TilePatch> m_complete;  ///< patches of the shown tooth, in complete groups
     std::uint64_t m_earlyGeneration = 0;
     std::vector<core::servo::TilePatch> m_earlyGroup;
     std::vector<core::servo::TilePatch> m_early;  ///< complete groups of a tooth to come, one patch per tile

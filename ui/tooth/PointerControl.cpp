@@ -9,12 +9,12 @@
 namespace ui::tooth {
 namespace {
 
-constexpr double kRoamMm = 5.0;     ///< how far beside the tooth the bur may go
+constexpr double kRoamMm = 5.0;     ///< distance that the bur may move beside the tooth
 constexpr double kMarchMm = 0.04;   ///< step of the search for a hovering height
-constexpr double kRecoverMm = 1.5;  ///< travel of the pointer that brings the bur back under it
-constexpr double kUncutMm = 0.05;   ///< a place that is cut less deep counts as uncut
-constexpr double kThereMm = 0.05;   ///< the bur counts as under the pointer within this distance
-constexpr double kJumpMm = 0.5;     ///< on a longer way the bur is lifted over the tooth
+constexpr double kRecoverMm = 1.5;  ///< pointer travel after which the bur is under the pointer again
+constexpr double kUncutMm = 0.05;   ///< a place cut less deep counts as uncut
+constexpr double kThereMm = 0.05;   ///< a bur within this distance counts as under the pointer
+constexpr double kJumpMm = 0.5;     ///< longest move for which the bur is not lifted over the tooth
 
 }  // namespace
 
@@ -28,7 +28,8 @@ void PointerControl::setSurface(const render::ToothSurface* surface)
     setTarget(m_targetMm);
 }
 
-/// Follows the ray from the tooth towards the eye to the first place where the bur has kClearanceMm below it.
+/// Moves the target along the ray, from the tooth towards the eye, to the first place where kClearanceMm are free below
+/// the bur.
 void PointerControl::hoverOn(const render::Ray& ray)
 {
     glm::dvec3 place;
@@ -70,7 +71,7 @@ void PointerControl::follow(const core::servo::ServoState& servo)
     m_hasTouched = true;
     if (m_surfaceMm && servo.hasDepth && servo.depthMm >= kUncutMm)
         return;
-    // A bur that touches a wall may still have its tip above the surface.
+    // The tip of a bur that touches a wall may still be above the surface.
     m_surfaceMm = servo.anchorMm.z;
     if (servo.hasDepth && m_surface != nullptr)
         *m_surfaceMm += m_surface->belowUncutMm(servo.anchorMm);
@@ -78,7 +79,7 @@ void PointerControl::follow(const core::servo::ServoState& servo)
 
 std::optional<double> PointerControl::depthMm(double tipMm) const
 {
-    // Before the contact it is not known whether this press keeps the plane of the last one.
+    // Until contact it is unknown whether this press continues in the plane of the previous one.
     if (!m_surfaceMm || !m_hasTouched)
         return std::nullopt;
     return std::max(0.0, *m_surfaceMm - tipMm);
@@ -125,7 +126,7 @@ core::servo::PointerInput PointerControl::input(std::optional<glm::dvec3> anchor
 {
     core::servo::PointerInput wish;
     wish.targetMm = m_targetMm;
-    // The bur does not come down before it has arrived under the pointer.
+    // The bur is lowered only after it has arrived under the pointer.
     const bool isThere = m_hasTouched || !anchorMm || glm::distance(glm::dvec2(*anchorMm), m_targetMm) < kThereMm;
     wish.pushing = m_pushing && !m_lifted && isThere;
     wish.pushForceN = m_forceN * m_pressure;
@@ -144,7 +145,7 @@ core::servo::PointerInput PointerControl::input(std::optional<glm::dvec3> anchor
         from = m_targetMm;
     const double highest = m_surface->highestBetweenMm(from, m_targetMm, m_burRadiusMm);
     wish.hoverMm = std::max(highest + kClearanceMm, m_hoverMm);
-    // A bur inside a cavity first goes up: on a straight way to the target it would cut through the wall.
+    // A bur inside a cavity moves up first. On a straight path to the target it would cut through the wall.
     if (!wish.pushing && anchorMm && anchorMm->z < highest)
         wish.targetMm = glm::dvec2(*anchorMm);
     return wish;

@@ -24,7 +24,7 @@ namespace ui::tooth {
 class PointerControl
 {
 public:
-    static constexpr double kClearanceMm = 0.6;  ///< between the tooth and a bur that hovers
+    static constexpr double kClearanceMm = 0.6;  ///< height of a hovering bur above the tooth
     static constexpr double kLiftMm = 3.0;       ///< height of a lifted bur above the highest cusp
 
     // Range, default and step of the force. Dentists use 1 N; a mouse gives no feedback, so the default is lower.
@@ -33,7 +33,7 @@ public:
     static constexpr double kStrongestN = 3.0;
     static constexpr double kStepN = 0.1;
 
-    // The same for the feed. With the default, a person who reacts late cuts 0.25 mm too deep at most.
+    // The same for the feed rate. With the default, a user who reacts late cuts at most 0.25 mm too deep.
     static constexpr double kSlowestMmPerS = 0.1;
     static constexpr double kFirstMmPerS = 0.5;
     static constexpr double kFastestMmPerS = 2.0;
@@ -55,21 +55,21 @@ public:
     void moveTo(const render::Ray& ray, glm::dvec3 anchorMm);
     /// Call this when the view has moved: the next ray then does not move a pressed bur.
     void forgetRay() { m_hasRay = false; }
-    /// Takes the newest state of the bur, once a frame. The first contact of a press places the depth stop.
+    /// Applies the newest state of the bur, once per frame. The first contact of a press places the depth stop.
     void follow(const core::servo::ServoState& servo);
     /// Moves the target by a step in the x, y plane of the tooth, for keys.
     void moveBy(glm::dvec2 stepMm);
     void push(bool pushing);
     void lift(bool lifted) { m_lifted = lifted; }
-    /// Sets how hard to push, kept within kWeakestN .. kStrongestN.
+    /// Sets the push force, clamped to kWeakestN .. kStrongestN.
     void setForce(double newtons);
     /// Sets the share of the force that is used, 0 .. 1: the pressure of a pen.
     void setPressure(double share) { m_pressure = share; }
     [[nodiscard]] double forceN() const { return m_forceN; }
-    /// Sets the largest speed at which the bur goes down, kept within kSlowestMmPerS .. kFastestMmPerS.
+    /// Sets the largest speed at which the bur is lowered, clamped to kSlowestMmPerS .. kFastestMmPerS.
     void setFeed(double mmPerS);
     [[nodiscard]] double feedMmPerS() const { return m_feedMmPerS; }
-    /// Sets the depth below the original surface, kept within kShallowestMm .. kDeepestMm.
+    /// Sets the depth below the original surface, clamped to kShallowestMm .. kDeepestMm.
     void setStopDepth(double depthMm);
     [[nodiscard]] double stopDepthMm() const { return m_stopDepthMm; }
     void setStopOn(bool on) { m_stopIsOn = on; }
@@ -80,9 +80,9 @@ public:
     [[nodiscard]] std::optional<double> depthMm(double tipMm) const;
     [[nodiscard]] bool isPushing() const { return m_pushing; }
 
-    /// Returns the input of the pointer device, with heights over the tooth as it is cut now. A bur that does not push
-    /// is lifted over what lies between it and its target before it goes there.
-    /// @param anchorMm  position of the bur; empty if it is not known
+    /// Returns the input of the pointer device, with heights above the tooth as it is cut now. A bur that does not push
+    /// is lifted over the parts of the tooth between it and its target before it moves there.
+    /// @param anchorMm  position of the bur; empty: unknown
     [[nodiscard]] core::servo::PointerInput input(std::optional<glm::dvec3> anchorMm = {}) const;
     /// Returns whether a ray meets the occlusal surface, and not the space beside it.
     [[nodiscard]] bool meetsTooth(const render::Ray& ray) const;
@@ -94,7 +94,7 @@ private:
     const render::ToothSurface* m_surface = nullptr;
     double m_burRadiusMm = 0.5;
     glm::dvec2 m_targetMm{0.0};
-    double m_hoverMm = core::terrain::kEmptyTop;  ///< height of the ray over the target
+    double m_hoverMm = core::terrain::kEmptyTop;  ///< height at which the ray passes over the target
     render::Ray m_lastRay;
     bool m_hasRay = false;
     bool m_pushing = false;

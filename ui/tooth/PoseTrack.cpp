@@ -10,12 +10,12 @@
 namespace ui::tooth {
 namespace {
 
-constexpr std::int64_t kLatestNs = 1'000'000;  ///< before painting: later than that there may be no reading yet
-constexpr std::int64_t kOldestNs = 6'000'000;  ///< likewise: an even beat is not worth more
-constexpr std::int64_t kFollow = 8;            ///< pictures over which the beat is taken up
+constexpr std::int64_t kLatestNs = 1'000'000;  ///< least time before painting; a later reading may not exist yet
+constexpr std::int64_t kOldestNs = 6'000'000;  ///< most time before painting: a steadier beat is not worth more
+constexpr std::int64_t kFollow = 8;            ///< pictures over which a deviation of the moment is corrected
 constexpr std::int64_t kShortestNs = 4'000'000;
 constexpr std::int64_t kLongestNs = 60'000'000;
-constexpr std::int64_t kFollowPeriod = 32;  ///< and how long it is
+constexpr std::int64_t kFollowPeriod = 32;  ///< pictures over which the period is corrected
 
 }  // namespace
 
@@ -47,7 +47,7 @@ std::int64_t FrameClock::momentFor(std::int64_t paintedNs)
     const std::int64_t since = paintedNs - std::exchange(m_paintedNs, paintedNs);
     const std::int64_t error = wanted - (m_momentNs + m_periodNs);
     if (std::abs(error) > m_periodNs / 2) {
-        // The first one, or another beat than was thought: it begins anew.
+        // Begins anew at the first picture, or when the interval between pictures has changed.
         m_momentNs = wanted;
         if (since >= kShortestNs && since <= kLongestNs)
             m_periodNs = since;

@@ -27,7 +27,7 @@ constexpr int kWhyNotWidthPx = 520;
 
 }  // namespace
 
-/// Shows the picture of a graphics card. Mouse and keys go to its parent.
+/// Shows the scene drawn by a graphics card. Passes mouse and key events on to its parent.
 class ScenePane final : public QOpenGLWidget
 {
 public:
@@ -131,8 +131,8 @@ void SceneWidget::redrawNow()
     QCoreApplication::sendPostedEvents(window(), QEvent::UpdateRequest);
 }
 
-/// Returns a picture drawn off screen; null if that is not possible.
-/// @param coarse  pixels of the screen to one of the picture, along a side
+/// Returns a picture drawn off screen, or null if that is not possible.
+/// @param coarse  screen pixels per pixel of the picture, along one side
 const QImage* SceneWidget::draw(int samples, int coarse)
 {
     const QSize size = (this->size() * devicePixelRatioF() / coarse).expandedTo({1, 1});
@@ -170,7 +170,7 @@ QImage SceneWidget::grabPicture()
 
 bool SceneWidget::event(QEvent* event)
 {
-    // Nobody works with what cannot be seen.
+    // Ignores input while there is no picture that the user could act on.
     if (event->isInputEvent() && !isUsable()) {
         event->ignore();
         return false;
@@ -183,7 +183,8 @@ void SceneWidget::paintEvent(QPaintEvent* /*event*/)
     if (m_pane != nullptr)
         return;
     const bool smooth = std::exchange(m_smoothWanted, false);
-    // Not for this picture alone: a bur that moves as well would make every other one fine.
+    // Pictures stay coarse for a while after the eye has moved. Otherwise those that only a moving bur requests would
+    // be fine in between.
     const bool coarse = !smooth && m_sinceEyeMoved.isValid() && m_sinceEyeMoved.elapsed() < kStillMs;
     const QImage* drawn = isUsable() ? draw(smooth ? render::Canvas::kSamples : 0, coarse ? kCoarse : 1) : nullptr;
     QPainter painter(this);
@@ -196,7 +197,7 @@ void SceneWidget::paintEvent(QPaintEvent* /*event*/)
     paintMarks(painter);
     if (!smooth)
         m_still.start();
-    // Later: when this event has been dealt with, the window system has the picture.
+    // Queued: the window system has the picture once this event has been handled.
     QMetaObject::invokeMethod(this, &SceneWidget::shown, Qt::QueuedConnection);
 }
 
@@ -209,7 +210,7 @@ void SceneWidget::resizeEvent(QResizeEvent* event)
         m_whyNot->setGeometry(rect());
 }
 
-/// Shows an error in place of the picture, which is dark in either theme.
+/// Shows an error instead of the picture. Its background is dark in both themes.
 void SceneWidget::fail(const QString& detail)
 {
     qWarning("No picture of a tooth can be drawn: %s.", qPrintable(detail));
@@ -233,7 +234,7 @@ void SceneWidget::fail(const QString& detail)
     sentence->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
     sentence->setWordWrap(true);
     sentence->setObjectName(QStringLiteral("whyNot"));
-    // Made before this widget has its place in a window, they would keep the application's colours.
+    // Labels created before this widget is placed in a window would keep the application's colours.
     for (QLabel* words : {heading, sentence})
         words->setPalette(kit::roomPalette());
     auto* column = new QVBoxLayout;

@@ -37,7 +37,7 @@ class SceneWidget : public QWidget
     Q_OBJECT
 
 public:
-    enum class Way : std::uint8_t { Window, Image };  ///< how pictures reach the screen
+    enum class Way : std::uint8_t { Window, Image };  ///< how pictures are shown on the screen
     [[nodiscard]] static Way bestWay();
 
     /// @param whyNot  returns the sentence for a computer without OpenGL 3.3
@@ -45,7 +45,7 @@ public:
     ~SceneWidget() override;
 
     [[nodiscard]] Way way() const { return m_pane != nullptr ? Way::Window : Way::Image; }
-    /// Returns false if there is no OpenGL 3.3 or the driver refuses what the scene needs.
+    /// Returns false if there is no OpenGL 3.3 or the driver does not support the scene.
     [[nodiscard]] bool isUsable() const { return m_whyNot == nullptr; }
     /// Returns the current picture with anti-aliasing, in device pixels; the sentence if the widget is not usable.
     [[nodiscard]] QImage grabPicture();
@@ -73,7 +73,7 @@ protected:
     /// Paints marks over the picture, in widget coordinates.
     virtual void paintMarks(QPainter& painter) = 0;
 
-    /// Must be called first in the destructor of the derived class.
+    /// Releases the scene. Must be called first in the destructor of the derived class.
     void leave();
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;

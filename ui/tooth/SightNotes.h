@@ -17,10 +17,10 @@ class Camera;
 class SightNotes
 {
 public:
-    /// @param links  must outlive it
+    /// @param links  must outlive this object
     explicit SightNotes(core::session::UiChannels& links) : m_links(links) {}
 
-    /// Takes the camera. Call once per frame while the student works.
+    /// Passes the camera. Call once per frame while the student works.
     /// @param generation  of the tooth; each tooth has its own recording
     void look(const Camera& camera, std::uint64_t generation, bool pushes);
 
@@ -28,7 +28,7 @@ private:
     core::session::UiChannels& m_links;
     std::uint64_t m_generation = 0;
     std::uint64_t m_seen = 0;  ///< the viewpoint of the last frame
-    std::uint64_t m_told = 0;  ///< the last recorded viewpoint
+    std::uint64_t m_told = 0;  ///< the viewpoint recorded last
     QElapsedTimer m_resting;   ///< since m_seen changed
 };
 

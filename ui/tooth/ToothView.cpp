@@ -31,21 +31,21 @@ namespace {
 constexpr float kTintShare = 0.85F;
 constexpr int kFrameMs = 16;
 constexpr int kLeastFrameMs = 4;
-constexpr int kLightLagMs = 400;      ///< by which light far from a cut may be behind
-constexpr double kBeforeMm = 0.6;     ///< what is seen so far before a point hides it
+constexpr int kLightLagMs = 400;      ///< longest time for which the light far from a cut is not updated
+constexpr double kBeforeMm = 0.6;     ///< a point is hidden by a surface farther in front of it than this
 constexpr double kBeforePitMm = 1.5;  ///< the same for a named pit, which lies between the walls of a fissure
-constexpr double kCutMm = 0.1;        ///< a named place that is cut so deep is no longer marked
+constexpr double kCutMm = 0.1;        ///< a named place that is cut this deep is no longer marked
 constexpr double kNameBesidePx = 18.0;
 constexpr double kNameAbovePx = 22.0;
-constexpr double kHeightBesidePx = 60.0;  ///< of the bur
+constexpr double kHeightBesidePx = 60.0;  ///< height of the bur in pixels
 constexpr int kForceToldMs = 1200;
-constexpr double kNearStopMm = 0.1;  ///< nearer to the stop the ring changes colour
-constexpr double kStopRing = 1.35;   ///< radius of the ring in radii of the bur
+constexpr double kNearStopMm = 0.1;  ///< distance to the stop below which the ring changes colour
+constexpr double kStopRing = 1.35;   ///< radius of the ring, in radii of the bur
 constexpr int kStopCorners = 48;
 constexpr double kPlateBelowPx = 26.0;
 constexpr double kLiftFollowS = 0.05;
-constexpr double kTurnRadPerS = 55.0;  ///< of a bur that runs: as fast as an eye can follow, a real one is a blur
-constexpr int kTurnEveryMs = 33;       ///< while nothing else asks for a picture
+constexpr double kTurnRadPerS = 55.0;  ///< of a running bur: as fast as an eye can follow; a real bur is a blur
+constexpr int kTurnEveryMs = 33;       ///< while nothing else requests a picture
 
 glm::dvec2 toGlm(QPointF point)
 {
@@ -113,7 +113,7 @@ void ToothView::setTooth(const std::shared_ptr<const core::terrain::ToothAnatomy
 void ToothView::setIdeal(const core::grading::IdealTop& ideal)
 {
     m_surface->setIdeal(ideal);
-    // The view of a posterior tooth or a block begins above the cavity.
+    // The view of a posterior tooth or a training block begins above the cavity.
     const int fdi = m_surface->anatomy().fdi;
     if (ideal && (fdi == 0 || fdi % 10 > 3))
         m_camera.setStart(m_camera.startAzimuthDeg(), Camera::kAboveDeg);
@@ -121,7 +121,7 @@ void ToothView::setIdeal(const core::grading::IdealTop& ideal)
     redraw();
 }
 
-/// Shows the teeth beside a generated upright tooth; the neighbours of a scan are unknown.
+/// Shows adjacent teeth beside a generated, upright tooth. The neighbours of a scan are unknown.
 void ToothView::showNeighbours()
 {
     m_neighbours.clear();
@@ -182,7 +182,7 @@ void ToothView::moveStop(double stepMm)
     m_sinceStopSet.start();
 }
 
-/// Keeps the bur under a resting pointer when the view or the bur changes.
+/// Aims the bur at a resting pointer again after the view or the bur has changed.
 void ToothView::aim()
 {
     m_control.follow(m_servo);
@@ -226,7 +226,8 @@ void ToothView::setSettings(const ViewSettings& settings)
     redraw();
 }
 
-/// Places the mirror where it is first held. A mirror placed by a person stays as long as its glass is visible.
+/// Places the mirror at its initial position. Leaves a mirror that the user placed where it is while its glass is
+/// visible.
 void ToothView::placeMirror()
 {
     if (!m_settings.showsMirror || !m_surface) {
@@ -290,7 +291,7 @@ void ToothView::lookFrom(const QString& viewpoint)
 
 void ToothView::lookAt(const std::optional<core::session::Sight>& sight, glm::dvec3 placeMm)
 {
-    constexpr double kInFrontMm = 2.0;  // a surface so far in front of the place hides it
+    constexpr double kInFrontMm = 2.0;  // a surface this far in front of the place hides it
     if (sight)
         m_camera.lookFrom(*sight);
     const glm::dvec3 eye = m_camera.eyeMm();
@@ -340,7 +341,7 @@ bool ToothView::prepareScene(QString& reason)
     m_presenter = std::make_unique<render::Presenter>();
     m_surfaceIsNew = true;
     m_neighboursAreNew = true;
-    // As often as the screen shows a new picture.
+    // Matches the refresh rate of the screen.
     m_frame.setInterval(std::clamp(static_cast<int>(1000.0 / screen()->refreshRate()), kLeastFrameMs, kFrameMs));
     return m_renderer->initialize(reason) && m_presenter->initialize(reason);
 }
@@ -412,7 +413,7 @@ render::Scene ToothView::scene(QSizeF sizePx) const
     return scene;
 }
 
-/// Paints the marks over the picture, once for each eye that has a half of it.
+/// Paints the marks over the picture; twice if each eye has its own half of the picture.
 void ToothView::paintMarks(QPainter& painter)
 {
     painter.setRenderHint(QPainter::Antialiasing);
@@ -491,7 +492,7 @@ void ToothView::drawPins(QPainter& painter)
     }
 }
 
-/// Draws the places of pads and bur, but not what the bur does to them.
+/// Draws the positions of pads and bur, but not the bur's effect on them.
 void ToothView::drawPads(QPainter& painter)
 {
     const auto seen = [&](glm::dvec2 place) {
@@ -511,7 +512,7 @@ void ToothView::drawPads(QPainter& painter)
         paintHeight(painter, QSizeF(width(), height()), m_pose.anchorMm.z);
 }
 
-/// Returns a place of the picture before halves and flips.
+/// Converts a position to coordinates of the picture before flips and before its division into halves.
 QPointF ToothView::presented(QPointF position) const
 {
     const render::Presentation& how = m_settings.presentation;
@@ -535,7 +536,7 @@ std::optional<QPointF> ToothView::burAt() const
     return QPointF(how.flipLeftRight ? width() - at.x : at.x, how.flipUpDown ? height() - at.y : at.y);
 }
 
-/// Draws in a corner the directions of the sides of the tooth.
+/// Draws the directions of the tooth's sides in a corner of the view.
 void ToothView::drawGizmo(QPainter& painter)
 {
     const glm::dmat3 turn = glm::dmat3(m_camera.view()) * m_surface->anatomy().lying.cutFromOwn();
@@ -550,7 +551,7 @@ void ToothView::drawGizmo(QPainter& painter)
     painter.drawPixmap(QPointF(kGizmoInPx, kGizmoInPx), m_gizmo);
 }
 
-/// Returns the end of an axis whose letter in the gizmo is at a position. None in a stereo or mirrored picture.
+/// Returns the axis end whose letter in the gizmo is at a position. Returns nothing for a stereo or mirrored picture.
 std::optional<std::size_t> ToothView::gizmoEndAt(QPointF position) const
 {
     const render::Presentation& how = m_settings.presentation;
@@ -561,7 +562,7 @@ std::optional<std::size_t> ToothView::gizmoEndAt(QPointF position) const
                               gizmoLetters(m_surface->anatomy().fdi));
 }
 
-/// Does the same for a way, which may cross from one half to the other.
+/// Converts a movement likewise. It may cross from one half to the other.
 QPointF ToothView::presentedWay(QPointF by) const
 {
     const render::Presentation& how = m_settings.presentation;
@@ -577,7 +578,7 @@ void ToothView::drawForce(QPainter& painter)
     const bool pushing = m_published.pushing;
     if (!showsInstrument() || (!pushing && !m_servo.touching && !m_sinceForceSet.isValid()))
         return;
-    // An arc beside the tip: its whole length is the set force.
+    // An arc beside the tip; its full length is the force that the user set.
     glm::dvec3 tipMm = m_pose.anchorMm;
     if (!m_exercise.pads.empty())
         tipMm.z = 0.0;
@@ -586,7 +587,7 @@ void ToothView::drawForce(QPainter& painter)
     constexpr double kHalfDeg = 42.0;
     const QRectF box(tip.x - kRadiusPx, tip.y - kRadiusPx, 2.0 * kRadiusPx, 2.0 * kRadiusPx);
     const double middleDeg = m_leftHanded ? 0.0 : 180.0;
-    const double sign = m_leftHanded ? 1.0 : -1.0;  // filled from below on either side
+    const double sign = m_leftHanded ? 1.0 : -1.0;  // filled from the bottom on either side
     const auto sixteenths = [](double degrees) { return static_cast<int>(std::lround(16.0 * degrees)); };
     const int start = sixteenths(middleDeg - sign * kHalfDeg);
     const auto arc = [&](QColor colour, double width, double part) {
@@ -615,7 +616,7 @@ void ToothView::drawForce(QPainter& painter)
     }
 }
 
-/// Draws a ring around the bur at the depth stop, and beside it the depth of the tip and of the stop.
+/// Draws a ring around the bur at the depth stop, with the depths of the tip and of the stop beside it.
 void ToothView::drawStop(QPainter& painter)
 {
     const bool isSeen = m_published.pushing || m_sinceStopSet.isValid();
@@ -683,7 +684,8 @@ void ToothView::advanceFrame()
     }
     if (m_drillOn && !m_settings.movesLittle && showsInstrument()) {
         m_turnRad = std::fmod(m_turnRad + kTurnRadPerS * seconds, 2.0 * std::numbers::pi);
-        // A software driver would never come to smooth edges; there a bur that rests is a blur, as a real one is.
+        // A software renderer would never have time for smooth edges. There a bur at rest is drawn as a blur, which a
+        // real one is.
         if (way() == Way::Window && (!m_sinceTurn.isValid() || m_sinceTurn.elapsed() >= kTurnEveryMs)) {
             m_sinceTurn.start();
             redraw();
@@ -700,7 +702,7 @@ void ToothView::advanceFrame()
             since->invalidate();
             redraw();
         }
-    // Below a hundredth of a newton and two micrometres nothing shows.
+    // Changes below 0.01 N and 2 micrometres are invisible.
     const bool moved = glm::distance(m_servo.anchorMm, m_pose.anchorMm) > 0.002;
     const bool pressed = std::abs(glm::length(m_servo.forceN) - m_paintedForceN) > 0.01;
     if (moved || pressed || m_servo.burIndex != before.burIndex || m_servo.touching != before.touching ||
@@ -719,7 +721,7 @@ void ToothView::setHeadLean(HeadLean lean)
 
 void ToothView::followHead(double seconds)
 {
-    constexpr double kSeenDeg = 0.02;  ///< less is not drawn: a picture that rests has smooth edges
+    constexpr double kSeenDeg = 0.02;  ///< smaller changes are not drawn, so that a picture at rest has smooth edges
     constexpr double kSeenShare = 2e-4;
     const core::tracking::Lean lean = m_headLean ? m_headLean(seconds, m_servo.touching) : core::tracking::Lean{};
     const core::tracking::Lean& drawn = m_camera.lean();
@@ -728,7 +730,7 @@ void ToothView::followHead(double seconds)
                          std::abs(lean.farther - drawn.farther) < kSeenShare &&
                          std::abs(lean.rightShare - drawn.rightShare) < kSeenShare &&
                          std::abs(lean.upShare - drawn.upShare) < kSeenShare;
-    // The view comes back to exactly where the mouse left it.
+    // The view must return exactly to where the mouse left it.
     const bool isBack = lean == core::tracking::Lean{} && !(drawn == lean);
     if (isAlike && !isBack)
         return;

@@ -63,26 +63,26 @@ public:
     void setIdeal(const core::grading::IdealTop& ideal);
     /// Sets the whole top map of the shown tooth, as it has been cut so far, mm.
     void setHeights(const std::vector<float>& top);
-    /// Shows the tooth and the bur of other channels: those of a replay, or its own again. The pointer goes on to
-    /// control the own ones. setTooth() follows.
+    /// Shows the tooth and the bur of other channels: those of a replay, or the view's own again. The pointer still
+    /// controls the view's own channels. Call setTooth() afterwards.
     /// @param channels  must outlive the view
     void showChannels(core::session::UiChannels& channels);
-    /// How hard the button pushes, newtons: 0.2 .. 3, 0.6 to begin with.
+    /// Sets the push force of the button in newtons: 0.2 .. 3, initially 0.6.
     void setPushForce(double newtons);
-    /// Sets the largest speed at which the pushed bur goes down, mm/s.
+    /// Sets the largest speed at which the pushed bur is lowered, mm/s.
     void setFeed(double mmPerS);
-    /// Sets how the pressure of a pen becomes force.
+    /// Sets how the pressure of a pen is converted to force.
     void setPen(const core::settings::PenSettings& settings) { m_pen = settings; }
     /// Switches the depth stop and sets its depth below the original surface, mm.
     void setDepthStop(bool on, double depthMm);
-    /// Returns the settings of the hand: feed, depth stop and force.
+    /// Returns the settings of the pointer: feed, depth stop and force.
     [[nodiscard]] const PointerControl& hand() const { return m_control; }
-    /// True while the bur is pushed or the left button, or the tip of the pen, is down in the view. The button may be
-    /// down without a push: a view that loses the focus stops pushing.
+    /// Returns whether the bur is being pushed, or the left button or the pen's tip is down in the view. The button may
+    /// be down without a push, because a view that loses the focus stops pushing.
     [[nodiscard]] bool isPressed() const { return m_isPressed; }
     /// Returns the input device that pressed the bur last.
     [[nodiscard]] PointerKind pushedWith() const { return m_pushedWith; }
-    /// Sets what a gamepad asks for, until the next call. A push begins anew after release().
+    /// Sets the gamepad's input, valid until the next call. After release(), a push must begin again.
     void setPad(const PadInput& pad) { m_pad = pad; }
     /// Stops pushing and turning, whatever is held down.
     void release();
@@ -96,9 +96,8 @@ public:
     [[nodiscard]] bool isLeftHanded() const { return m_leftHanded; }
     /// Turns the view by half a circle, to the other side of the patient.
     void turnRound();
-    /// Sets the choices of the view. The mirror first appears beside the tooth. It is moved by dragging its glass,
-    /// tilted so with Shift, and moved nearer and farther with the wheel over it; with Alt, arrows and page keys do the
-    /// same.
+    /// Sets the user's choices. The mirror first appears beside the tooth. Dragging its glass moves it, or with Shift
+    /// tilts it. The wheel over it moves it nearer or farther. With Alt, the arrow and page keys do the same.
     void setSettings(const ViewSettings& settings);
     [[nodiscard]] const ViewSettings& settings() const { return m_settings; }
     /// Sets the marks of an exercise, or the blindfold. A new tooth has none.
@@ -147,7 +146,7 @@ public:
     struct Uploads
     {
         std::uint64_t bytes = 0;
-        std::uint64_t changedBytes = 0;  ///< of the map rectangles that cutting has changed
+        std::uint64_t changedBytes = 0;  ///< size of the map rectangles changed by cutting
         int wholes = 0;                  ///< number of times that a whole tooth was sent
     };
     [[nodiscard]] Uploads uploads() const;
@@ -224,8 +223,8 @@ private:
     [[nodiscard]] bool showsInstrument() const;
 
     core::session::UiChannels& m_links;
-    core::session::UiChannels* m_shown;           ///< whose tooth and bur are seen: m_links, or those of a replay
-    std::optional<core::terrain::Tooth> m_tooth;  ///< what m_surface draws, for those who look inside
+    core::session::UiChannels* m_shown;           ///< source of the shown tooth and bur: m_links, or a replay's
+    std::optional<core::terrain::Tooth> m_tooth;  ///< the tooth that m_surface draws, for tooth()
     std::uint64_t m_toothRevision = 0;
     std::unique_ptr<render::ToothSurface> m_surface;
     std::unique_ptr<render::ToothRenderer> m_renderer;
@@ -237,7 +236,7 @@ private:
     bool m_neighboursAreNew = false;  ///< not passed to the renderer yet
     std::optional<render::DentalMirror> m_mirror;
     bool m_mirrorHeld = false;
-    bool m_mirrorIsPlaced = false;  ///< by the user
+    bool m_mirrorIsPlaced = false;  ///< placed by the user
     QPointF m_pointer;              ///< the last position of the mouse
     bool m_pointerHasLeft = true;
     bool m_buttonIsDown = false;  ///< the left button, or the tip of the pen
@@ -260,26 +259,26 @@ private:
 
     QElapsedTimer m_sinceTurn;                ///< since the turning bur was last drawn
     QElapsedTimer m_sinceLight;               ///< since all shadows were last updated
-    Uploads m_uploads;                        ///< without bytes
+    Uploads m_uploads;                        ///< without the bytes
     bool m_surfaceIsNew = false;              ///< not passed to the renderer yet
     render::ToothSurface::Changes m_changes;  ///< since the last picture
     bool m_drillOn = false;
     QColor m_burTint;
     bool m_leftHanded = false;
     bool m_instrumentHidden = false;
-    double m_turnRad = 0.0;      ///< of the bur
-    double m_handTurnDeg = 0.0;  ///< of the handpiece about the bur, from its natural place
-    double m_liftMm = 0.0;       ///< of shank and handpiece; follows wantedLiftMm()
+    double m_turnRad = 0.0;      ///< rotation of the bur
+    double m_handTurnDeg = 0.0;  ///< rotation of the handpiece about the bur, from its natural place
+    double m_liftMm = 0.0;       ///< lift of shank and handpiece; follows wantedLiftMm()
     double m_paintedForceN = 0.0;
 
     Qt::MouseButton m_turning = Qt::NoButton;
     QPointF m_turnedAt;
-    std::set<int> m_arrows;  ///< held
+    std::set<int> m_arrows;  ///< arrow keys that are held
     double m_arrowsHeldS = 0.0;
     bool m_fine = false;
     core::settings::PenSettings m_pen;
     PadInput m_pad;
-    bool m_padIsDown = false;  ///< its trigger was pushed in the last frame
+    bool m_padIsDown = false;  ///< the gamepad's trigger was pressed in the last frame
     bool m_padPushes = false;  ///< the current push comes from the gamepad
     QTimer m_frame;
     QElapsedTimer m_sinceFrame;

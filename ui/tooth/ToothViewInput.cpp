@@ -23,12 +23,12 @@ namespace {
 
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kKeyTurnDeg = 5.0;
-constexpr double kTiltPerPixel = 0.006;    ///< of the mirror's normal
-constexpr double kMirrorStepMm = 1.0;      ///< a notch of the wheel
-constexpr double kMirrorStepPx = 12.0;     ///< a key
-constexpr double kNearestMirrorMm = 12.0;  ///< to the eye
+constexpr double kTiltPerPixel = 0.006;    ///< rotation of the mirror's normal, rad
+constexpr double kMirrorStepMm = 1.0;      ///< move for one notch of the wheel
+constexpr double kMirrorStepPx = 12.0;     ///< move for one key press
+constexpr double kNearestMirrorMm = 12.0;  ///< least distance between mirror and eye
 
-// Keys: one step at once, then a pace that grows while the key is held.
+// Arrow keys move the bur one step at once, then at a speed that grows while the key is held.
 constexpr double kKeyStepMm = 0.1;
 constexpr double kFineStepMm = 0.02;
 constexpr double kSlowestMmPerS = 1.0;
@@ -37,7 +37,7 @@ constexpr double kFineMmPerS = 0.4;
 constexpr double kSpeedUpAfterS = 0.2;
 constexpr double kSpeedUpForS = 0.8;
 
-// A gamepad with its stick at the end.
+// Rates of a gamepad's stick at full deflection.
 constexpr double kPadMmPerS = 6.0;
 constexpr double kPadDegPerS = 100.0;
 constexpr double kLeastPressure = 0.05;
@@ -47,7 +47,7 @@ bool isArrow(int key)
     return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
 }
 
-/// Returns the direction of an arrow key on the screen: x to the right, y down.
+/// Returns the direction of an arrow key on the screen: x to the right, y downwards.
 QPointF wayOf(int key)
 {
     return {key == Qt::Key_Right  ? 1.0
@@ -86,7 +86,7 @@ void ToothView::turnHandpiece(double degrees)
     redraw();
 }
 
-/// True where the glass of the mirror is seen and no tooth before it.
+/// Returns whether the mirror's glass is visible at a position, with no tooth in front of it.
 bool ToothView::isOnMirror(QPointF position) const
 {
     if (!m_mirror)
@@ -102,8 +102,8 @@ bool ToothView::isOnMirror(QPointF position) const
     return !behindTooth && glm::distance(hit, m_mirror->centreMm) < render::DentalMirror::kRadiusMm;
 }
 
-/// Moves the mirror by so many pixels of the picture, at its distance from the eye, or turns it: to the side about what
-/// is up in the picture, up and down about what is right.
+/// Moves the mirror by a number of pixels at its distance from the eye. If `tilts` is set, turns it instead: sideways
+/// about the picture's vertical axis, up and down about the horizontal one.
 void ToothView::dragMirror(QPointF by, bool tilts)
 {
     m_mirrorIsPlaced = true;
@@ -112,7 +112,7 @@ void ToothView::dragMirror(QPointF by, bool tilts)
     const glm::dvec3 up(toothFromEye[1]);
     if (tilts) {
         const glm::dvec3 turned = m_mirror->normal + (right * by.x() - up * by.y()) * kTiltPerPixel;
-        // Its back shows nothing.
+        // The back of the mirror shows nothing.
         if (glm::dot(turned, m_camera.eyeMm() - m_mirror->centreMm) > 0.0)
             m_mirror->normal = glm::normalize(turned);
     } else {
@@ -123,7 +123,7 @@ void ToothView::dragMirror(QPointF by, bool tilts)
     redraw();
 }
 
-/// Nearer to the eye, or farther away.
+/// Moves the mirror away from the eye, or towards it if `millimetres` is negative.
 void ToothView::pushMirror(double millimetres)
 {
     const glm::dvec3 away = m_mirror->centreMm - m_camera.eyeMm();
@@ -140,7 +140,8 @@ void ToothView::push(PointerKind kind)
     m_control.push(true);
 }
 
-/// Seen from below, the bur is on the far side of the tooth.
+/// Presses the bur at a position. Emits pushRefused() if the eye is below the tooth, because the bur is then on its far
+/// side.
 void ToothView::pushAt(QPointF position, PointerKind kind)
 {
     pointAt(position);
@@ -182,7 +183,7 @@ bool ToothView::event(QEvent* event)
     case QEvent::TouchUpdate:
     case QEvent::TouchEnd:
     case QEvent::TouchCancel:
-        // Accepted, or Qt makes mouse events of it, and a finger that turns the view would drill.
+        // Qt turns touch events that are not accepted into mouse events, and a finger that turns the view would drill.
         touch(*static_cast<QTouchEvent*>(event));
         event->accept();
         return true;
@@ -213,7 +214,7 @@ void ToothView::touch(const QTouchEvent& event)
     }
 }
 
-/// What lies under the pointer may be told.
+/// Sets the position of the pointer. Redraws if depths are shown, because the depth under the pointer is displayed.
 void ToothView::pointAt(QPointF position)
 {
     m_pointer = position;
@@ -223,7 +224,7 @@ void ToothView::pointAt(QPointF position)
         redraw();
 }
 
-/// What is read under it is read nowhere else.
+/// Stops displaying the depth under the pointer.
 void ToothView::leaveEvent(QEvent* event)
 {
     m_pointerHasLeft = true;
@@ -270,7 +271,7 @@ void ToothView::mouseReleaseEvent(QMouseEvent* event)
 
 void ToothView::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    // Two quick pecks of the bur on the tooth are no double click, nor is taking hold of the mirror twice.
+    // Two quick presses of the bur on the tooth are not a double click; nor are two quick presses on the mirror.
     if (event->button() == Qt::LeftButton &&
         (isOnMirror(event->position()) || m_control.meetsTooth(rayAt(event->position()))))
         mousePressEvent(event);
@@ -315,7 +316,7 @@ void ToothView::tabletEvent(QTabletEvent* event)
         pointAt(event->position());
         m_control.moveTo(rayAt(event->position()), m_servo.anchorMm);
     } else {
-        // Not accepted: Qt makes a mouse event of it, as for the buttons on the pen.
+        // Not accepted, so that Qt makes a mouse event of it, as it does for the buttons on the pen.
         event->ignore();
         return;
     }
@@ -381,7 +382,7 @@ void ToothView::keyPressEvent(QKeyEvent* event)
     }
 }
 
-/// Moves the bur; with Ctrl turns the view, with Ctrl and Shift the handpiece.
+/// Moves the bur. With Ctrl turns the view, with Ctrl and Shift the handpiece.
 void ToothView::pressArrow(const QKeyEvent& event)
 {
     const QPointF way = wayOf(event.key());
@@ -399,7 +400,8 @@ void ToothView::pressArrow(const QKeyEvent& event)
     }
 }
 
-/// Moves the mirror to and fro with the page keys, and with the arrows moves or tilts it.
+/// Moves the mirror towards the eye or away with the page keys. Moves it sideways, or with Shift tilts it, with the
+/// arrow keys.
 void ToothView::moveMirrorByKey(int key)
 {
     if (!m_mirror)

@@ -8,7 +8,7 @@
 namespace ui::tooth {
 namespace {
 
-/// Nearer fingers count as this far apart.
+/// Least distance between two fingers; a smaller one counts as this.
 constexpr double kNearestPx = 20.0;
 
 double distancePx(const QList<QPointF>& fingersPx)

@@ -18,13 +18,13 @@ namespace {
 const QColor kPlate(20, 22, 24, 190);
 const QColor kMarkInk(240, 240, 238);
 constexpr int kWordsPx = 14;
-constexpr double kArrowInPx = 26.0;  ///< from the edge of the view
+constexpr double kArrowInPx = 26.0;  ///< distance from the edge of the view
 constexpr double kShaftPx = 9.0;
 constexpr double kHeadPx = 26.0;
 constexpr double kScaleWide = 14.0;
 constexpr double kScaleHigh = 150.0;
 constexpr double kMargin = 20.0;
-constexpr double kOnIdealMm = 0.05;  ///< nearer to the ideal than this is on it
+constexpr double kOnIdealMm = 0.05;  ///< a place nearer to the ideal than this counts as on it
 
 QFont wordsFont(const QPainter& painter)
 {
@@ -60,7 +60,7 @@ void paintArrowOut(QPainter& painter, QSizeF view, QPointF from, QPointF towards
     if (whole < 1.0)
         return;
     way /= whole;
-    // At least its head is seen, even if the bur has left as well.
+    // At least the head of the arrow is visible, even if the bur has left the view as well.
     const double length = std::max(1.6 * kHeadPx, std::hypot(end.x() - start.x(), end.y() - start.y()));
     start = end - way * length;
     const QPointF aside(-way.y(), way.x());
@@ -106,7 +106,7 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
     //: Titles of a scale of colours: how deep a cut is, and how far from the ideal
     const QString title = aboutIdeal ? QCoreApplication::translate("ViewMarks", "deviation, mm")
                                      : QCoreApplication::translate("ViewMarks", "depth, mm");
-    // Beyond an end the colour stays.
+    // Beyond an end of the scale the colour does not change.
     const QString end = QStringLiteral("\u2265\u2009") + QLocale().toString(endMm, 'f', 1);
     const QString first = aboutIdeal ? QCoreApplication::translate("ViewMarks", "%1 to cut").arg(end)
                                      : QLocale().toString(beginMm, 'f', 1);
@@ -114,7 +114,7 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
     const double wide =
         std::max(words.horizontalAdvance(title),
                  kScaleWide + 9.0 + std::max(words.horizontalAdvance(first), words.horizontalAdvance(last)));
-    // At the right, half way up: at the left lies the history, below a hint or the bar of a replay.
+    // At the right edge, half way up. At the left are the history, below a hint or the bar of a replay.
     const QRectF usual(view.width() - kMargin - wide - 10.0, 0.5 * (view.height() - kScaleHigh) - 34.0, wide + 20.0,
                        kScaleHigh + 46.0);
     const QRectF plate = kit::placeOffBur(bur, usual, QRectF(QPointF(kMargin - 10.0, usual.top()), usual.size()));
@@ -123,7 +123,7 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
     painter.setBrush(kPlate);
     painter.drawRoundedRect(plate, 6.0, 6.0);
     QLinearGradient colours(bar.topLeft(), bar.bottomLeft());
-    // As in tooth.frag, after its tone curve.
+    // The same colours as in tooth.frag, after its tone mapping.
     colours.setColorAt(0.0, render::seenAs(QColor(102, 158, 214), how.stereo));
     colours.setColorAt(0.5, render::seenAs(QColor(240, 240, 236), how.stereo));
     colours.setColorAt(1.0, render::seenAs(QColor(216, 104, 52), how.stereo));

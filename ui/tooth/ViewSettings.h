@@ -11,11 +11,11 @@ struct ViewSettings
 {
     render::Look look;
     render::Presentation presentation;
-    bool showsHand = false;        ///< the place where the hand holds the bur, faintly
-    bool showsMargin = false;      ///< the distance of the bur to tissue that must stay, by its colour
+    bool showsHand = false;        ///< a faint bur where the hand holds it
+    bool showsMargin = false;      ///< the bur's colour shows its distance to tissue that must be preserved
     bool showsMirror = false;      ///< the dental mirror
     bool showsNeighbours = false;  ///< the neighbouring teeth and their gum
-    bool movesLittle = false;      ///< reduced motion: without animations
+    bool movesLittle = false;      ///< reduced motion: no animations
     bool operator==(const ViewSettings&) const = default;
 };
 

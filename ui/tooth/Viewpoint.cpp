@@ -15,31 +15,31 @@ namespace ui::tooth {
 namespace {
 
 constexpr double kSideElevationDeg = 12.0;
-constexpr double kLaidStartDeg = 55.0;  ///< elevation from which a tooth that lies on a side is looked at first
-// The handpiece leans aside when the eye looks from above.
-constexpr double kUprightBelowDeg = 25.0;  ///< elevation of the eye up to which it is upright
+constexpr double kLaidStartDeg = 55.0;  ///< initial elevation for a tooth that lies on its side
+// The handpiece leans to the side when the eye looks from above.
+constexpr double kUprightBelowDeg = 25.0;  ///< elevation of the eye up to which the handpiece is upright
 constexpr double kLeansMostDeg = 75.0;     ///< elevation from which it leans by kMostLeanDeg
 constexpr double kMostLeanDeg = 58.0;
-constexpr double kHandleComesDeg = 40.0;  ///< angle by which the handle then has turned towards the viewer
-constexpr double kShankClearMm = 0.9;     ///< around the bur's axis, what the shank must clear
-// Where the dental mirror is taken in hand.
-constexpr double kMirrorBehind = 0.9;  ///< the middle of the crown, of its radius
-constexpr double kMirrorSeen = 0.55;   ///< of its radius, on the outer side
+constexpr double kHandleComesDeg = 40.0;  ///< angle by which the handle has then turned towards the viewer
+constexpr double kShankClearMm = 0.9;     ///< distance around the bur's axis that the shank keeps free
+// Initial position of the dental mirror.
+constexpr double kMirrorBehind = 0.9;  ///< distance behind the middle of the crown, in radii of the crown
+constexpr double kMirrorSeen = 0.55;   ///< share of the mirror's radius between its middle and the edge of the view
 constexpr double kBehindTheRowMm = 6.0;
 constexpr double kOverTheMiddleMm = 1.0;
-constexpr double kMirrorAbove = 0.22;  ///< the middle of the view, of half its height
-constexpr double kHandClearMm = 5.5;   ///< and the head of the handpiece with its neck
+constexpr double kMirrorAbove = 0.22;  ///< height above the middle of the view, as a share of half its height
+constexpr double kHandClearMm = 5.5;   ///< distance between the mirror and the handpiece's head and neck
 
 struct Named
 {
     const char* name;
     double azimuthDeg;
     double elevationDeg;
-    bool isOfMouth;  ///< known only where the tooth is
+    bool isOfMouth;  ///< the direction is known only if the position of the tooth in the mouth is
 };
 
-/// For a lower tooth: its +y is lingual, that of an upper one buccal. In the order of render::GizmoLetters: -x, +x, -y,
-/// +y, -z, +z.
+/// Directions of a lower tooth, whose +y is lingual; +y of an upper tooth is buccal. In the order of
+/// render::GizmoLetters: -x, +x, -y, +y, -z, +z.
 constexpr std::array<Named, 6> kNamed{{{"mesial", -90.0, kSideElevationDeg, true},
                                        {"distal", 90.0, kSideElevationDeg, true},
                                        {"buccal", 0.0, kSideElevationDeg, true},
@@ -47,12 +47,12 @@ constexpr std::array<Named, 6> kNamed{{{"mesial", -90.0, kSideElevationDeg, true
                                        {"below", 0.0, Camera::kLowestDeg, false},
                                        {"occlusal", 0.0, Camera::kHighestDeg, false}}};
 
-/// Looks at the whole tooth from a direction that is named in the tooth's own frame.
+/// Looks at the whole tooth from a direction given in the tooth's own frame.
 void lookFromSide(Camera& camera, double azimuthDeg, double elevationDeg, const core::terrain::Lying& lying)
 {
     camera.reset();
     if (!lying.isUpright()) {
-        // The axis that was named, and from the side a little from above, as of an upright tooth.
+        // Looks along the given axis; from the side a little from above, as at an upright tooth.
         const bool isAside = elevationDeg == kSideElevationDeg;
         const double azimuth = glm::radians(azimuthDeg);
         const glm::dvec3 own = isAside ? glm::dvec3(std::sin(azimuth), -std::cos(azimuth), 0.0)
@@ -72,7 +72,7 @@ bool isUpper(int fdi)
     return fdi < 30;
 }
 
-/// Returns how many columns of an open lesion the camera sees.
+/// Returns the number of columns of an open lesion that the camera sees.
 int lesionColumnsSeen(const render::ToothSurface& surface, const Camera& camera)
 {
     constexpr double kSameMm = 0.2;
@@ -121,8 +121,8 @@ render::Scene sceneThrough(const Camera& camera, glm::vec2 sizePx, bool leftHand
     scene.eyeMm = camera.eyeMm();
     scene.towardsLight = operatingLight(leftHanded);
     scene.sizePx = sizePx;
-    // The handpiece turns with the view, so that the handle stays at the same side of the picture. The more the eye
-    // looks down along the bur, the more the handpiece leans aside, as a pen does, and the handle comes towards the
+    // The handpiece turns with the view, so that its handle stays at the same side of the picture. The more the eye
+    // looks down along the bur, the more the handpiece leans to the side like a pen, and the handle turns towards the
     // viewer.
     const double fromAbove = glm::smoothstep(kUprightBelowDeg, kLeansMostDeg, camera.elevationDeg());
     const double side = leftHanded ? -1.0 : 1.0;
@@ -137,9 +137,9 @@ render::Scene sceneThrough(const Camera& camera, glm::vec2 sizePx, bool leftHand
 
 void showWhole(Camera& camera, const render::ToothSurface& surface)
 {
-    // Slightly tighter than the ball: the tooth is the hero, and a crown does not fill its corners.
+    // Slightly tighter than the bounding ball, because a crown does not fill the ball's corners.
     camera.setSubject(surface.crownMiddleMm(), 0.93 * surface.crownRadiusMm());
-    // What is to be cut of a tooth that lies on a side is seen along the bur.
+    // The cutting site of a tooth that lies on its side is viewed along the bur.
     if (surface.anatomy().lying.isUpright())
         camera.setStart(startAzimuthDeg(surface, camera));
     else
@@ -164,7 +164,7 @@ render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurfa
     render::DentalMirror mirror;
     const glm::dvec3 middle = surface.crownMiddleMm();
     const double radius = surface.crownRadiusMm();
-    // Behind the crown and to the side, so far that a little of its disc is outside the view and the rest beside the
+    // Behind the crown and to the side, so far that a part of the mirror is outside the view and the rest is beside the
     // tooth.
     const glm::dmat4 eyeFromTooth = camera.view();
     const glm::dmat4 projection = camera.projection();
@@ -174,7 +174,7 @@ render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurfa
     const double aside = std::max(wide - kMirrorSeen * render::DentalMirror::kRadiusMm, 0.6 * wide);
     const glm::dvec4 inEye(leftHanded ? aside : -aside, kMirrorAbove * high, -depth, 1.0);
     mirror.centreMm = glm::dvec3(glm::inverse(eyeFromTooth) * inEye);
-    // Half way between where the eye is and what it wants to see: the crown from behind.
+    // The normal bisects the directions to the eye and to the crown, so the mirror shows the crown from behind.
     const auto aim = [&] {
         const glm::dvec3 towardsEye = glm::normalize(camera.eyeMm() - mirror.centreMm);
         const glm::dvec3 towardsCrown = glm::normalize(middle + glm::dvec3(0.0, 0.0, 0.2 * radius) - mirror.centreMm);
@@ -182,7 +182,7 @@ render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurfa
     };
     aim();
     if (amongNeighbours) {
-        // Beside the tooth stands another: behind the row, towards its far side.
+        // Another tooth is beside this one, so the mirror is behind the row, towards the side away from the eye.
         const double farSide = camera.eyeMm().y < middle.y ? 1.0 : -1.0;
         const double halfDepth = 0.5 * (surface.highestMm().y - surface.lowestMm().y);
         mirror.centreMm = middle + glm::dvec3(0.0, farSide * (halfDepth + kBehindTheRowMm), kOverTheMiddleMm);

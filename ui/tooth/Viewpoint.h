@@ -27,8 +27,8 @@ void showWhole(Camera& camera, const render::ToothSurface& surface);
 /// Returns how far shank and handpiece must be raised to clear the tooth, mm.
 [[nodiscard]] double liftMm(const render::ToothSurface& surface, std::size_t burIndex, const glm::dvec3& tipMm);
 
-/// Returns the first place of the dental mirror: beside the tooth on the far side, over the other hand, so that it
-/// shows what the eye cannot see; behind the row if there are neighbours.
+/// Returns the initial place of the dental mirror: beside the tooth on the far side, on the side of the other hand, so
+/// that it shows what the eye cannot see. With adjacent teeth the mirror is behind the row.
 [[nodiscard]] render::DentalMirror mirrorBeside(const Camera& camera, const render::ToothSurface& surface,
                                                 bool leftHanded, bool amongNeighbours);
 
@@ -36,9 +36,9 @@ void showWhole(Camera& camera, const render::ToothSurface& surface);
 /// two views along the axis of the tooth, occlusal and below.
 [[nodiscard]] QStringList viewpointNames();
 
-/// Moves the camera to a viewpoint by name, or to "AZ,EL,DIST" (degrees, degrees, mm). Error UnknownName with one
-/// sentence, also for a direction such as mesial if the tooth is unknown.
-/// @param fdi  of the tooth; 0: unknown
+/// Moves the camera to a viewpoint by name, or to "AZ,EL,DIST" (degrees, degrees, mm). Returns UnknownName with a
+/// one-sentence detail for any other text, and for a direction such as mesial if the tooth is unknown.
+/// @param fdi  FDI number of the tooth; 0: unknown
 /// @param lying  the directions of the tooth's own frame
 [[nodiscard]] core::Status goTo(Camera& camera, const QString& viewpoint, int fdi,
                                 const core::terrain::Lying& lying = {});

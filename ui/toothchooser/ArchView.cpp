@@ -21,9 +21,9 @@ constexpr double kWidthMm = 88.0;
 constexpr double kHeightMm = 150.0;
 /// Distance of the front of each arch from the middle of the picture.
 constexpr double kFrontMm = 61.0;
-/// Labels are this far outside the crown's centre.
+/// Distance of a label from the crown's centre, outwards.
 constexpr double kLabelMm = 10.4;
-/// Width of the ridge of gum under them.
+/// Width of the gum ridge below the crowns.
 constexpr double kRidgeMm = 15.0;
 /// Natural colours, the same in either theme.
 constexpr QRgb kIvory = 0xFFF4EEDF;
@@ -31,7 +31,7 @@ constexpr QRgb kIvoryHovered = 0xFFFFFFFF;
 constexpr QRgb kFissure = 0xFF5E5646;
 constexpr QRgb kGumOnLight = 0xFFF3E2DF;
 constexpr QRgb kGumOnDark = 0xFF4A3836;
-/// Crowns touch; a narrow gap keeps them apart for the eye.
+/// Crowns touch each other; drawing them smaller leaves a visible gap.
 constexpr double kCrownScale = 0.96;
 
 bool isUpper(int fdi)
@@ -105,8 +105,8 @@ void ArchView::layOut()
         const int position = tooth.fdi % 10;
         const CrownPicture crown = crownPicture(upper, position);
         const ArchPlace place = archPlace(upper, position);
-        // Arch frame (lips at +y) to picture: the upper front is at the top of the picture, the lower at its foot,
-        // and the patient's left is on the viewer's right.
+        // From the arch's frame, with the lips at +y, to the picture. The upper front is at the top, the lower front at
+        // the bottom, and the patient's left is on the viewer's right.
         QTransform toPicture;
         toPicture.translate(middle.x(), middle.y());
         toPicture.scale(side * m_pxPerMm, (upper ? -1.0 : 1.0) * m_pxPerMm);
@@ -136,7 +136,7 @@ void ArchView::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     const QPalette& p = palette();
 
-    // Midline, and whose left and right.
+    // The midline, and the labels of the patient's left and right.
     QColor faint = p.color(QPalette::Mid);
     painter.setPen(QPen(faint, 1, Qt::DashLine));
     const double midX = width() / 2.0;
@@ -147,7 +147,7 @@ void ArchView::paintEvent(QPaintEvent*)
     painter.drawText(QRectF(midX - 120, midY - 10, 110, 20), Qt::AlignRight | Qt::AlignVCenter, tr("Right"));
     painter.drawText(QRectF(midX + 10, midY - 10, 110, 20), Qt::AlignLeft | Qt::AlignVCenter, tr("Left"));
 
-    // The ridges: from the last tooth of the right half to the last of the left.
+    // The gum ridges, from the last tooth of the right half to the last of the left.
     for (const bool upper : {true, false}) {
         QPolygonF ridge;
         for (const Tooth& tooth : m_teeth)

@@ -8,7 +8,7 @@
 
 namespace ui::toothchooser {
 
-/// One tooth of the arches, for keyboard and screen reader. Paints nothing: ArchView paints the tooth and its focus.
+/// One tooth of the arches, for keyboard and screen reader. It paints nothing; ArchView paints the tooth and its focus.
 class ArchTooth : public QAbstractButton
 {
     Q_OBJECT
@@ -23,8 +23,8 @@ private:
     int m_fdi;
 };
 
-/// Both arches from above as a dentist sees the patient, with the left half to choose from: hover, click, arrow keys.
-/// The right half is drawn faintly for orientation.
+/// Both arches from above, as a dentist sees the patient. Teeth of the left half can be selected by hovering, clicking
+/// and the arrow keys. The right half is drawn faintly for orientation.
 class ArchView : public QWidget
 {
     Q_OBJECT
@@ -33,7 +33,7 @@ public:
 
     void setSelected(int fdi);  ///< 0: none
     [[nodiscard]] int selected() const { return m_selected; }
-    /// Focuses the selected tooth, or the first.
+    /// Sets the focus to the selected tooth, or to the first one if none is selected.
     void takeFocus();
     [[nodiscard]] QSize sizeHint() const override { return {400, 640}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {260, 420}; }

@@ -83,7 +83,7 @@ void Mouth::take(const render::ArchPointer& arch)
     emit ready();
 }
 
-/// Leaves out the jaw that hides the other, and looks at the rest.
+/// Hides the jaw that covers the other one, and aims the camera at the rest.
 void Mouth::showJaws()
 {
     const double elevation = m_camera.elevationDeg();
@@ -113,7 +113,7 @@ void Mouth::select(int fdi)
     emit selectionChanged(m_selected);
 }
 
-/// Moves by keys. A tooth of the jaw that is not drawn is brought into view.
+/// Selects a tooth by keyboard. If its jaw is hidden, turns the view so that the jaw is visible.
 void Mouth::walkTo(int fdi)
 {
     if (m_arch && core::teeth::jawOf(fdi) == core::teeth::Jaw::Upper && !tooth::jawsSeen(m_camera.elevationDeg()).upper)
@@ -218,7 +218,7 @@ void Mouth::paintMarks(QPainter& painter)
           tr("Right button turns, wheel zooms. From above or below you see one jaw."), kit::typeface(kit::kSmall),
           QPalette::PlaceholderText);
 
-    // The tooth's number beside it: never colour alone.
+    // The number beside the tooth, so that the selection is not shown by colour alone.
     if (pieceOf(m_selected) != nullptr) {
         const QPointF at = placeOf(m_selected);
         const QRectF label(at.x() - 17.0, at.y() - 11.0, 34.0, 22.0);

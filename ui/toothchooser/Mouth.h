@@ -16,15 +16,16 @@
 
 namespace ui::toothchooser {
 
-/// The whole mouth in 3D, to choose one of the sixteen teeth of the left side: hover, click, arrow keys. Seen steeply
-/// from above or below, the jaw that would hide the other is not drawn.
+/// The whole mouth in 3D, to select one of the sixteen teeth of the left side by hovering, clicking or the arrow keys.
+/// In a steep view from above or below, the jaw that would hide the other is not drawn.
 ///
-/// Mouse: a click selects, a double click takes the tooth at once; dragging with the right or middle button turns the
-/// view, the wheel zooms.
-/// Keys: arrows walk along the arch and from jaw to jaw, Enter takes the tooth, Ctrl + arrows turn, plus and minus
-/// zoom, Home resets the view.
+/// Mouse: a click selects, a double click chooses the tooth. Dragging with the right or middle button turns the view,
+/// and the wheel zooms.
+/// Keys: arrows move along the arch and between the jaws, Enter chooses the tooth, Ctrl + arrows turn the view, plus
+/// and minus zoom, Home resets the view.
 ///
-/// Create it only if isPossible(); ArchView does the same without OpenGL. Its meshes are built when it is first shown.
+/// Create it only if isPossible(). ArchView does the same without OpenGL. The meshes are built when the widget is first
+/// shown.
 class Mouth : public tooth::SceneWidget
 {
     Q_OBJECT
@@ -36,7 +37,7 @@ public:
     [[nodiscard]] static bool isPossible();
 
     void setSelected(int fdi);  ///< 0: none
-    /// Reduced motion: zooms without animation.
+    /// Sets reduced motion: zooms without animation.
     void setMovesLittle(bool little) { m_movesLittle = little; }
     [[nodiscard]] int selected() const { return m_selected; }
     [[nodiscard]] int hovered() const { return m_hovered; }
@@ -82,7 +83,7 @@ private:
     [[nodiscard]] const core::teeth::ArchPiece* pieceOf(int fdi) const;
 
     render::ArchPointer m_arch;
-    std::vector<core::teeth::ArchPiece> m_pieces;  ///< of both jaws
+    std::vector<core::teeth::ArchPiece> m_pieces;  ///< pieces of both jaws
     std::vector<core::teeth::ArchPiece> m_shown;   ///< those of the jaws drawn now
     std::unique_ptr<render::ArchRenderer> m_renderer;
     bool m_piecesAreNew = false;  ///< not passed to the renderer yet

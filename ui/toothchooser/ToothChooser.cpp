@@ -126,7 +126,7 @@ void ToothChooser::showMouth(bool inSpace)
     sayOther();
     if (inSpace)
         m_mouth->setSelected(m_arches->selected());
-    // The mouth takes all the room there is.
+    // The mouth uses all the room available.
     m_pictures->setMaximumWidth(inSpace ? QWIDGETSIZE_MAX : kWidestArchesPx);
     m_row->setStretch(0, inSpace ? 0 : 1);
     m_row->setStretch(m_row->count() - 1, inSpace ? 0 : 1);

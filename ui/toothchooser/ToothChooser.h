@@ -13,18 +13,18 @@ namespace ui::toothchooser {
 class ArchView;
 class Mouth;
 
-/// The page for choosing another tooth: the arches, the name of the selected tooth, and a button to open a scan.
+/// The page for choosing another tooth: the arches, the name of the selected tooth, and a button that opens a scan.
 class ToothChooser : public kit::Page
 {
     Q_OBJECT
 public:
     ToothChooser(const kit::Actions& actions, QWidget* parent);
 
-    /// Sets the current tooth; 0 for a scan without a number.
+    /// Sets the current tooth. 0: a scan without a number.
     void setPresent(int fdi);
-    /// Shows the mouth in 3D instead of the flat arches. Only if Mouth::isPossible().
+    /// Shows the mouth in 3D instead of the flat arches. Call only if Mouth::isPossible().
     void showMouth(bool inSpace);
-    /// Reduced motion: without animations.
+    /// Sets reduced motion: no animations.
     void setMovesLittle(bool little);
     [[nodiscard]] bool isMouthShown() const { return m_mouthShown; }
 

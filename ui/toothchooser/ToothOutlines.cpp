@@ -22,14 +22,18 @@ constexpr std::array<Size, 8> kUpper{
 constexpr std::array<Size, 8> kLower{
     {{5.0, 6.0}, {5.5, 6.5}, {7.0, 7.5}, {7, 7.5}, {7, 8}, {11, 10.5}, {10.5, 10}, {10, 9.5}}};
 
-/// Half axes of the curve through the centres of the crowns, |x/a|^p + |y/b|^p = 1: flatter in front than an ellipse.
+/// Half-axes of the curve through the crowns' centres,
+/// x/a
+/// ^p +
+/// y/b
+/// ^p = 1, which is flatter in front than an ellipse.
 constexpr double kUpperHalfWidthMm = 29.0;
 constexpr double kUpperDepthMm = 47.0;
 constexpr double kLowerHalfWidthMm = 27.0;
 constexpr double kLowerDepthMm = 47.0;
 constexpr double kFlatness = 2.5;
 
-// Outlines in half diameters, once round; the curve through them is smooth.
+// Outlines in half diameters, in order around the crown. A smooth curve connects the points.
 using Points = QList<QPointF>;
 
 Points outlinePoints(bool upper, int position)
@@ -70,7 +74,8 @@ QList<Points> groovePoints(bool upper, int position)
     case 3:
         return {{{-.72, .05}, {-.05, .32}, {.72, 0}}};
     case 4:
-        // One groove from mesial to distal pit, each pit forked; below, a ridge parts the two pits.
+        // One groove from the mesial to the distal pit, forked at each pit. In the lower tooth a ridge separates the
+        // two pits.
         if (!upper)
             return {{{-.62, .12}, {-.42, -.12}, {-.5, -.38}}, {{.64, .1}, {.44, -.14}, {.5, -.4}}};
         [[fallthrough]];
@@ -143,7 +148,7 @@ ArchPlace archPlace(bool upper, int position)
         targetMm += sizeOf(upper, nearer).mesioDistalMm;
     const double a = upper ? kUpperHalfWidthMm : kLowerHalfWidthMm;
     const double b = upper ? kUpperDepthMm : kLowerDepthMm;
-    // Walk along the curve from the midline; past its end, straight on.
+    // Follows the curve from the midline. Beyond its end it continues straight.
     const auto pointAt = [&](double t) {
         return QPointF(a * std::pow(std::sin(t), 2 / kFlatness), -b * (1 - std::pow(std::cos(t), 2 / kFlatness)));
     };

@@ -7,8 +7,8 @@
 
 namespace ui::toothchooser {
 
-/// A crown from above, for the picture of the arches. Millimetres, origin at the crown's centre, +x distal, +y towards
-/// cheek or lip. Sizes: mean crown diameters (Wheeler); shapes simplified by eye.
+/// A crown from above, for the picture of the arches. In millimetres, with the origin at the crown's centre, +x distal
+/// and +y towards cheek or lip. Sizes are mean crown diameters (Wheeler); shapes are simplified by eye.
 struct CrownPicture
 {
     QPainterPath outline;
@@ -23,7 +23,7 @@ struct CrownPicture
 /// @param position  1 central incisor to 8 third molar
 [[nodiscard]] CrownPicture crownPicture(bool upper, int position);
 
-/// The position of a crown in its arch, from above with the lips at +y; x is the distance from the midline.
+/// The position of a crown in its arch, seen from above with the lips at +y. x is the distance from the midline.
 struct ArchPlace
 {
     QPointF centreMm;

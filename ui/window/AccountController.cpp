@@ -30,7 +30,7 @@ AccountController::AccountController(QWidget& window, const PracticeState& state
     connect(m_actions.lock, &QAction::triggered, this, &AccountController::change);
     connect(m_menu, &AccountMenu::passwordRequested, this, &AccountController::changePassword);
     connect(&m_idle, &IdleLock::expired, this, &AccountController::lock);
-    // The user's attempt is stored, and is offered to them at their next login.
+    // leaveWork() is not needed: the user's attempt is stored and offered to them at their next login.
     connect(&m_login, &LoginPage::otherRequested, this,
             [this] { m_unsaved.leaveChanges([this] { emit logoutRequested(); }, absentUser()); });
 }
@@ -143,7 +143,7 @@ void AccountController::change()
     } else if (m_state.isGraded && m_unsaved.isAsGraded() && m_navigation.isAtScore()) {
         emit keepRequested();
     } else {
-        // The user begins without the guest's work.
+        // The user who logs in does not get the guest's work.
         m_unsaved.leaveWork([this] {
             m_unsaved.leaveChanges(
                 [this] {
@@ -178,12 +178,12 @@ void AccountController::closeAllOver()
             one->close();
 }
 
-/// Nobody has used the program for long.
+/// Locks the window, or ends the offer to save a guest's grade. Called when the idle time has passed.
 void AccountController::lock()
 {
     if (!m_user.isGuest() && (!m_navigation.isAtLogin() || m_navigation.mayLeaveLogin()))
         ask(LoginMode::Locked);
-    else if (m_login.keeps())  // the next user is probably somebody else
+    else if (m_login.keeps())  // the next person to log in is probably another one
         m_login.offerToKeep({});
     else if (m_user.isGuest())
         m_isGuestGone = true;

@@ -28,7 +28,7 @@ class AccountMenu;
 class Navigation;
 class UnsavedWork;
 
-/// The user of the window: login, guests, password, and the lock after a time without use.
+/// Manages the user of the window: login, guests, password, and the lock after a time without input.
 class AccountController final : public QObject
 {
     Q_OBJECT
@@ -37,43 +37,45 @@ public:
                       Navigation& navigation, UnsavedWork& unsaved);
 
     [[nodiscard]] const database::Login& user() const { return m_user; }
-    /// Sets the user. If the login page is shown, opens the page behind it.
+    /// Sets the user. If the login page is shown, opens the page that waits behind it.
     void setUser(const database::Login& user);
-    /// Returns whether somebody else may be in front of the window of a user who locked it.
+    /// Returns whether a user has locked the window, so that another person may use the keyboard.
     [[nodiscard]] bool isLocked() const;
     /// Returns the full name of the user of a locked window; empty if it is not locked.
     [[nodiscard]] QString absentUser() const;
 
-    /// Closes what is open over the window, and asks for a login, the first user of a school, or another password.
+    /// Closes dialogs and questions, and opens the login page: for a login, the first user of a school, or another
+    /// password.
     void ask(people::LoginMode mode);
     void askLogin() { ask(m_isNewSchool ? people::LoginMode::Welcome : people::LoginMode::Login); }
     /// Asks a guest to log in, and offers to save the guest's grade.
     void askLoginToKeep();
-    /// Returns whether the grade shall be saved for whoever logs in.
+    /// Returns whether the guest's grade is to be saved for the user who logs in.
     [[nodiscard]] bool keepsOnLogin() const;
     void setNewSchool(bool isNew) { m_isNewSchool = isNew; }
     [[nodiscard]] bool isNewSchool() const { return m_isNewSchool; }
     void setOpening(bool isOpening);
     void refuse(const core::Error& error);
     void say(std::function<QString()> sentence);
-    /// Tells whether the database cannot be used.
-    /// @param where       its file or server
-    /// @param backupMade  time of the backup that can replace it; invalid: there is none
+    /// Shows on the login page that the database cannot be used, or that it can be used again.
+    /// @param error       why the database cannot be used; nullopt: it can be used
+    /// @param where       file or server of the database
+    /// @param backupMade  time of the backup that can replace the database; invalid: there is none
     void setUnreachable(const std::optional<core::Error>& error, const QString& where, const QDateTime& backupMade);
     /// Logs a guest in, or locks the window.
     void change();
-    /// Asks the user for another password.
+    /// Opens the login page for a change of the user's password.
     void changePassword();
 
     [[nodiscard]] IdleLock& idleLock() { return m_idle; }
-    /// A grade is shown to the guest who is here.
+    /// Records that the present guest sees a grade, which is theirs if they log in.
     void setGuestPresent() { m_isGuestGone = false; }
     void retranslateUi();
 
 signals:
-    /// Emitted when a guest wants to log in to save the grade that is shown.
+    /// Emitted when a guest requests to log in to save the grade that is shown.
     void keepRequested();
-    /// Emitted when the user lets somebody else log in.
+    /// Emitted when another user requests to log in on a locked window.
     void logoutRequested();
     /// Emitted when actions and overlays need an update.
     void changed();
@@ -94,9 +96,9 @@ private:
     IdleLock m_idle;
     database::Login m_user;
     std::optional<core::Error> m_unreachable;  ///< why the database cannot be used
-    QString m_where;                           ///< the database
+    QString m_where;                           ///< file or server of the database
     bool m_isNewSchool = false;
-    bool m_isGuestGone = false;  ///< nobody has used the program for long since the guest's work was graded
+    bool m_isGuestGone = false;  ///< the idle time has passed since the guest saw the grade
 };
 
 }  // namespace ui::window

@@ -10,7 +10,7 @@ namespace ui::window {
 AccountMenu::AccountMenu(const kit::Actions& actions, QWidget* parent) : QMenu(parent)
 {
     setObjectName(QStringLiteral("accountMenu"));
-    // Drawings are made for the dark bars of the practice room.
+    // The icons are drawn for the dark bars of the practice room.
     for (QAction* action : {actions.lock, actions.presets, actions.settings})
         action->setIconVisibleInMenu(false);
     addAction(actions.lock);

@@ -9,7 +9,7 @@ class Actions;
 
 namespace ui::window {
 
-/// What opens under the name of who is logged in.
+/// The menu that opens below the name of the user.
 class AccountMenu final : public QMenu
 {
     Q_OBJECT

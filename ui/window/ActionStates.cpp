@@ -11,12 +11,12 @@ namespace {
 
 using kit::Actions;
 
-/// What several actions ask for.
+/// Conditions that several actions share.
 struct Conditions
 {
-    bool isMine;     ///< the student's tooth is shown, and is not being replaced
-    bool mayCut;     ///< and may be cut
-    bool mayGoBack;  ///< and cuts may be undone, which an exam does not allow
+    bool isMine;     ///< the student's tooth is shown, and no other tooth is being loaded
+    bool mayCut;     ///< isMine, and the tooth may be cut
+    bool mayGoBack;  ///< isMine, and cuts may be undone, which an exam does not allow
 };
 
 Conditions conditionsOf(const PracticeState& state, const WindowFacts& facts)
@@ -55,7 +55,7 @@ void enableAids(Actions& actions, const practice::ViewMenu& viewMenu, const Prac
     actions.outline->setEnabled(isViewShown && seesIdeal && !state.isExam());
     actions.savePicture->setEnabled(isViewShown && state.tooth != nullptr);
     actions.panel->setEnabled(facts.isInRoom);
-    // There is no room for the section while another attempt is beside.
+    // The section has no room while another attempt is shown beside.
     actions.section->setEnabled(facts.isInRoom && aids.section && !facts.hasBeside);
     actions.turnSection->setEnabled(facts.isInRoom && aids.section && actions.section->isChecked());
     actions.radiograph->setEnabled((facts.isInRoom || facts.isAtXray) && state.tooth != nullptr && !facts.isBusy &&
@@ -83,7 +83,7 @@ void enableReplay(Actions& actions, const PracticeState& state, const WindowFact
         action->setVisible(state.isReplaying && (facts.canLead || action != actions.along));
         action->setEnabled(facts.isInRoom && state.isReplaying && !facts.isBusy);
     }
-    // Without a recording of the lesson's author, a simulated hand shows how to cut it.
+    // If there is no recording of the lesson's author, a simulated hand shows how to cut.
     const lessons::Lesson* const lesson = state.lesson();
     const bool hasExpert = lesson != nullptr && (lesson->expert || !lessons::isExercise(lesson->task));
     actions.expert->setVisible(hasExpert && !lesson->exam && !state.isExamRunning());

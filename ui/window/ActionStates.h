@@ -12,28 +12,28 @@ class ViewMenu;
 
 namespace ui::window {
 
-/// What decides, beside PracticeState, which actions are enabled.
+/// The state of the window that decides, together with PracticeState, which actions are enabled.
 struct WindowFacts
 {
     bool isInRoom = false;
     bool isAtXray = false;
     bool isAtLessons = false;
     bool isInEditor = false;
-    bool isSchoolPage = false;  ///< the page shows what the database has
+    bool isSchoolPage = false;  ///< the page shows data from the database
     bool isAtLogin = false;
     bool mayLeaveLogin = false;
     bool isBusy = false;
-    bool isViewUsable = false;  ///< there is OpenGL
+    bool isViewUsable = false;  ///< OpenGL is available
     bool isTrial = false;       ///< a block is shown to try a preset on
     bool isBlindfolded = false;
     bool mayEdit = false;  ///< the user may change lessons
-    bool canLead = false;  ///< the device can lead a hand
+    bool canLead = false;  ///< the device can guide a hand
     bool hasBeside = false;
     bool canEditorUndo = false;
     bool canEditorRedo = false;
 };
 
-/// Enables each action where it has an effect, and shows those of a replay during a replay.
+/// Enables the actions that have an effect now, and shows the actions of a replay only during a replay.
 void enableActions(kit::Actions& actions, const practice::ViewMenu& viewMenu, const PracticeState& state,
                    const WindowFacts& facts);
 

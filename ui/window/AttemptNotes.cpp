@@ -48,7 +48,8 @@ void AttemptNotes::noteAids()
         m_notedAids = now;
 }
 
-/// In practice, time on another page or at the locked login page is not part of the attempt. An exam goes on.
+/// Notes the begin and end of pauses. In practice, time on another page, including the login page, is not part of the
+/// attempt. During an exam it is.
 void AttemptNotes::noteRest()
 {
     const bool rests = !m_navigation.isInRoom() && !m_state.isExam();

@@ -25,7 +25,7 @@ namespace ui::window {
 
 class Navigation;
 
-/// Writes into the recording what the servo cannot know: the aids in use, the camera, and the time on other pages.
+/// Adds to the recording what the servo does not know: the aids in use, the camera, and the time on other pages.
 class AttemptNotes
 {
 public:
@@ -38,7 +38,7 @@ public:
           m_navigation(navigation), m_xray(xray)
     {}
 
-    /// Writes what has changed since the last call.
+    /// Adds what has changed since the last call.
     void update();
 
 private:
@@ -55,7 +55,7 @@ private:
     const Navigation& m_navigation;
     const QWidget& m_xray;
     tooth::SightNotes m_sights{m_links};
-    // Generation of the tooth, and what was written for it last.
+    // Generation of the tooth, and the value that was last added to its recording.
     std::pair<std::uint64_t, std::uint8_t> m_notedAids{};
     std::pair<std::uint64_t, bool> m_notedRest{};
 };

@@ -19,10 +19,10 @@ namespace ui::window {
 
 class CommandSender;
 
-/// Switches the drill, and changes bur and handpiece, on request; shows in the actions what the servo answers.
+/// Switches the drill and changes bur and handpiece on request. Shows the state of the servo in the actions.
 ///
-/// The drill runs only while it is watched: it stops on other pages, at a breach of a rule, in exercises in which
-/// nothing is cut, and at the end of an exam. Where the student may drill again, it runs as before.
+/// Stops the drill on other pages, when a rule is broken, in exercises in which nothing is cut, and at the end of an
+/// exam. Starts it again, if it ran before, when the student may drill again.
 class BurControl
 {
 public:
@@ -30,28 +30,30 @@ public:
         : m_commands(commands), m_actions(actions), m_state(state)
     {}
 
-    /// The user switches the drill.
+    /// Switches the drill for the user.
     void switchDrill(bool on);
     void chooseBur(int index);
     /// @param shipped  index into core::settings::handpieces()
     void chooseHandpiece(int shipped);
-    /// Takes the bur and the handpiece with which an attempt was interrupted.
+    /// Selects the bur and the handpiece that an interrupted attempt used last.
     /// @param handpiece  index as in SetHandpiece
     void resume(std::optional<std::uint8_t> bur, std::optional<std::uint8_t> handpiece);
     /// Sets the handpieces of the next attempt, in the order of its settings.
     void setHandpieces(const std::vector<core::settings::Handpiece>& atHand);
-    /// Ignores outstanding answers: another hand drills from now on.
+    /// Forgets outstanding requests for drill and bur, because another hand drills from now on. show() then accepts any
+    /// state of the servo.
     void forgetRequests();
-    /// Checks the actions of what is in use. An answer that contradicts a request is ignored for half a second.
+    /// Checks the actions for drill, bur and handpiece as the servo reports them. Ignores a report that differs from a
+    /// request for half a second after the request.
     void show(const core::servo::ServoState& servo);
 
     /// Stops the drill when another page is opened, and starts it again in the room.
-    /// @param isBreachShown  the drill waits for the user's answer to a breach
+    /// @param isBreachShown  whether the drill stays off until the user has answered to a breach
     void setInRoom(bool isInRoom, bool isBreachShown);
-    /// Stops or starts the drill as a new attempt needs it.
+    /// Stops or starts the drill for the task of a new attempt.
     void beginTask(lessons::Task task);
     /// Stops the drill at a breach.
-    /// @param isFirst  no earlier breach waits for its answer
+    /// @param isFirst  false if an earlier breach has stopped the drill and the user has not answered yet
     void stopForBreach(bool isFirst);
     /// Starts the drill again if a breach has stopped it.
     void continueAfterBreach();
@@ -59,7 +61,7 @@ public:
     void stopAtEnd();
 
 private:
-    /// A request that is believed until the servo answers, or until it has had time to.
+    /// A value that was requested, which the actions show until the servo confirms it or kAnswerMs have passed.
     struct Request
     {
         int value = 0;
@@ -77,8 +79,8 @@ private:
     Request m_drill;
     Request m_bur;
     Request m_handpiece;
-    std::vector<int> m_handpieces;    ///< at hand, as indices into core::settings::handpieces(); -1: not one of those
-    bool m_wasOn = false;             ///< before an exercise or the end of an exam stopped the drill
+    std::vector<int> m_handpieces;    ///< of the attempt, as indices into core::settings::handpieces(); -1: another one
+    bool m_wasOn = false;             ///< the drill ran when an exercise or the end of an exam stopped it
     bool m_stoppedForBreach = false;  ///< the drill ran when a breach stopped it
     bool m_pausedOnPage = false;      ///< the drill ran when another page was opened
 };

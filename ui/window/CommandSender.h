@@ -21,9 +21,9 @@ public:
     /// @param links  must outlive the sender
     CommandSender(core::session::UiChannels& links, kit::MessageBar& messages) : m_links(links), m_messages(messages) {}
 
-    /// Returns whether the command was sent.
+    /// Sends a command. Returns false if the queue is full.
     bool send(core::session::SessionCommand command);
-    /// Returns whether so many calls of send() in a row will succeed. Otherwise shows the message.
+    /// Returns whether this number of calls of send() in a row will succeed. Otherwise shows the message.
     [[nodiscard]] bool canSend(std::size_t commands);
 
 private:

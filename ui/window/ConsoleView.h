@@ -28,7 +28,8 @@ class ExerciseView;
 class HardnessController;
 class PracticeRoom;
 
-/// The console over the practice room, its watched values, and the parameters that console and settings can change.
+/// Shows the console and its watched values over the practice room. Owns the parameters that console and settings can
+/// change.
 class ConsoleView final : public QObject
 {
     Q_OBJECT
@@ -38,23 +39,23 @@ public:
     [[nodiscard]] console::Console& console() { return *m_console; }
     [[nodiscard]] const console::WatchPanel& watch() const { return *m_watch; }
     [[nodiscard]] core::settings::Parameters& parameters() { return m_parameters; }
-    /// Adds all parameters. Called once; what is passed must outlive the console.
+    /// Adds all parameters. Call it once. The arguments must outlive the console.
     void addParameters(HardnessController& hardness, tooth::ToothView& view, practice::HandControls& hand,
                        const PracticeState& state, const ExerciseView& exercise);
-    /// The periods of the servo; fed with each frame.
+    /// Returns the meter of the servo's period, which gets a value with each frame.
     [[nodiscard]] console::PeriodMeter& periods() { return m_periods; }
     [[nodiscard]] const console::PeriodMeter& periods() const { return m_periods; }
 
     [[nodiscard]] bool isOpen() const;
     /// Returns whether a widget with the keyboard focus belongs to the open console.
     [[nodiscard]] bool isTypedIn(const QWidget* focused) const;
-    /// Hides the watched values. Returns whether there were any.
+    /// Removes the watched values. Returns whether there were any.
     bool hideWatch();
     void placeIn(const QRect& area);
 
 signals:
     void closed();
-    /// Emitted when placeIn() shall be called.
+    /// Emitted when the size has changed, so that placeIn() must be called.
     void resized();
 
 private:

@@ -76,7 +76,7 @@ void ExerciseView::conclude()
     mark();
 }
 
-/// Returns the outlines of the pads. Until the exercise has a grade nothing else is shown of them.
+/// Returns the outlines and names of the pads. Until the exercise has a grade, only these are shown.
 tooth::ExerciseMarks ExerciseView::marksOfPads() const
 {
     tooth::ExerciseMarks marks;
@@ -120,7 +120,7 @@ bool ExerciseView::isBlindfolded() const
     const bool areUnnamed =
         m_state.assignment && m_state.assignment->exercise && m_generation == m_state.ownGeneration &&
         std::holds_alternative<core::grading::PadsToName>(*m_state.assignment->exercise) && !m_card->isConcluded();
-    // Also in the replay of such a block.
+    // A replay of such a block must not show the tissues either.
     return areUnnamed && (isShown() || (m_state.isReplaying && m_state.tooth != nullptr &&
                                         m_state.tooth->name == m_state.assignment->anatomy->name));
 }

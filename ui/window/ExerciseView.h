@@ -27,7 +27,7 @@ class CommandSender;
 class PracticeRoom;
 class ReplayView;
 
-/// The exercise of a lesson in the practice room: its card, and marks on the tooth.
+/// Shows the exercise of a lesson in the practice room: its card, and marks on the tooth.
 class ExerciseView final : public QObject
 {
     Q_OBJECT
@@ -40,13 +40,14 @@ public:
     [[nodiscard]] bool isShown() const;
     void setServo(const core::servo::ServoState& servo);
     void setPractised(const core::grading::Practised& practised);
-    /// The exercise has a grade: shows the right answers.
+    /// Shows the right answers. Call it when the exercise has a grade.
     void conclude();
-    /// Marks the tooth: points to touch, pads to name, and places that the step of the lesson names.
+    /// Marks on the tooth the points to touch, the pads to name, and the places that the step of the lesson mentions.
     void mark();
     /// Shows the undo history if it is open and allowed.
     void showHistory();
-    /// Returns whether the tissues of the tooth that is shown must be told by feel: they are not coloured or named.
+    /// Returns whether the student must identify the tissues of the shown tooth by feel. If so, the tissues are neither
+    /// coloured nor named.
     [[nodiscard]] bool isBlindfolded() const;
 
 signals:
@@ -62,7 +63,7 @@ private:
     tooth::ToothView& m_view;
     const ReplayView& m_replay;
     practice::ExerciseCard* m_card;
-    std::uint64_t m_generation = 0;  ///< of the tooth that the card is about
+    std::uint64_t m_generation = 0;  ///< generation of the tooth for which the card is shown
     std::optional<core::grading::Touched> m_touched;
 };
 

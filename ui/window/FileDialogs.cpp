@@ -24,12 +24,12 @@ namespace {
 
 struct FileType
 {
-    const char* filter;  ///< %1: the patterns
+    const char* filter;  ///< %1: the patterns, such as *.obj
     const char* folderKey;
-    const char* suffix;  ///< null: those of scans
+    const char* suffix;  ///< null: see scanSuffixes()
 };
 
-/// In the order of FileDialogs::Kind.
+/// The types of files, in the order of FileDialogs::Kind.
 constexpr std::array<FileType, 6> kTypes{{
     {QT_TRANSLATE_NOOP("ui::window::FileDialogs", "Scans of teeth (%1)"), "folders/scan", nullptr},
     {QT_TRANSLATE_NOOP("ui::window::FileDialogs", "Recordings (%1)"), "folders/recording", "cusprec"},
@@ -56,7 +56,7 @@ QString patternsOf(FileDialogs::Kind kind)
 QString folderOf(FileDialogs::Kind kind)
 {
     QString folder = kit::memory().value(QLatin1String(typeOf(kind).folderKey)).toString();
-    // Lessons name the captured ideals in their own folder.
+    // Lessons refer to captured ideals in the folder of the lessons.
     if (kind == FileDialogs::Kind::Reference && folder.isEmpty() && QDir().mkpath(::lessons::teachersFolder()))
         folder = ::lessons::teachersFolder();
     return QFileInfo(folder).isDir() ? folder : kit::documentsFolder();

@@ -16,9 +16,9 @@ class MessageBar;
 
 namespace ui::window {
 
-/// The file dialogs of the window. Each kind of file remembers its own folder, also between runs.
+/// Opens the file dialogs of the window. Each kind of file has its own last folder, which is saved between runs.
 ///
-/// A dialog does not block: the program goes on while it is open, and the caller's function gets the chosen path.
+/// A dialog does not block: the program continues to run, and the caller's function is called with the chosen path.
 class FileDialogs final : public QObject
 {
     Q_OBJECT
@@ -29,13 +29,13 @@ public:
     /// File name endings of scans, without the dot.
     [[nodiscard]] static QStringList scanSuffixes() { return {"obj", "stl", "ply"}; }
     [[nodiscard]] static QString suffixOf(Kind kind);
-    /// Returns the path of the file that is dragged; empty if anything else is, or several files.
+    /// Returns the path of the file that is dragged; empty if several files or something else is dragged.
     [[nodiscard]] static QString droppedFile(const QMimeData& data);
     /// Returns a name for a new file: tooth, day and time.
-    /// @param tooth  name of its anatomy: a file, or "block:line"
+    /// @param tooth  name of the anatomy: a file, or a block such as "block:line"
     [[nodiscard]] static QString newFileName(const std::string& tooth, Kind kind);
 
-    /// @param window  gets the dialogs
+    /// @param window  parent of the dialogs
     FileDialogs(QWidget& window, kit::MessageBar& messages);
 
     /// Asks for an existing file.
@@ -45,7 +45,7 @@ public:
     /// Asks for a path, writes the picture as PNG, and shows whether that worked.
     /// @param picture  called when the path is known
     void savePicture(const QString& title, const QString& newName, const std::function<QImage()>& picture);
-    /// The same for a comparison of presets, as CSV.
+    /// Does the same for a comparison of presets, as CSV.
     void saveComparison(const QString& title, const QString& newName, const QByteArray& csv);
 
 private:

@@ -97,7 +97,7 @@ void HardnessController::connectConsole()
             FeelPreset preset = m_feel;
             preset.name = name.toStdString();
             preset.version = 0;
-            emit saveRequested(preset);  // showSaved() or showFault() answers
+            emit saveRequested(preset);  // the receiver calls showSaved() or showFault()
             return QString();
         },
         [this](const QString& name) { return useByName(name); }, [this] { return lessons::namesOf(m_page.all()); });
@@ -139,7 +139,7 @@ QString HardnessController::whyNotByHand(const FeelPreset& next) const
         return tr("A replay uses the recorded hardness.");
     if (isTrial() && m_card->isComparing())
         return tr("A blind comparison of two presets is running. Finish it first.");
-    // In a lesson with its own hardness only the forces can be changed.
+    // If the lesson has its own hardness, only the forces can be changed.
     FeelPreset forces = next;
     for (const auto& field : core::settings::feelFields().subspan(0, core::settings::kCuttingFields))
         forces.*field.value = m_feel.*field.value;

@@ -33,8 +33,8 @@ class FileDialogs;
 class PracticeRoom;
 class UnsavedWork;
 
-/// The hardness of the tooth that is shown: presets on their page, a trial of one in the room, and single numbers in
-/// console and settings.
+/// Manages the hardness of the tooth that is shown: presets on their page, the trial of a preset in the practice room,
+/// and single numbers in console and settings.
 class HardnessController final : public QObject
 {
     Q_OBJECT
@@ -47,38 +47,40 @@ public:
     void addTo(core::settings::Parameters& parameters);
     /// Sets the presets that exist, and the one in use.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
-    /// Tells who works here and whether they may save presets and choose the one in use.
+    /// Sets the user, and whether they may save presets and choose the one in use.
     void setMayKeep(const database::Login& who, bool may);
-    /// saveRequested(), or an imported file, has become this version.
-    /// @param note  a warning; may be empty
+    /// Shows that a preset was saved, after saveRequested() or the import of a file.
+    /// @param preset  the preset with its new version
+    /// @param note    a warning; may be empty
     void showSaved(const core::settings::FeelPreset& preset, const QString& note);
     void showFault(const QString& sentence);
-    /// Sets the hardness of the tooth that is shown, and what it would be without changes by hand.
+    /// Sets the hardness of the tooth that is shown.
+    /// @param usual  its hardness without changes by hand
     void setFeel(const core::settings::FeelPreset& now, const core::settings::FeelPreset& usual);
 
-    /// The block for the trial is shown.
+    /// Shows the card of the trial. Call it when the block for the trial is shown.
     void beginTrial();
     void endTrial();
     [[nodiscard]] bool isTrial() const;
     void follow(const core::servo::ServoState& servo);
 
 signals:
-    /// Emitted when the page opens; setPresets() answers.
+    /// Emitted when the page needs the presets. The receiver calls setPresets().
     void presetsRequested();
-    /// Emitted when a preset shall be saved as another version of its name.
+    /// Emitted when the user requests to save a preset as another version of its name.
     void saveRequested(const core::settings::FeelPreset& preset);
     void useRequested(const core::settings::FeelPreset& preset);
     void importRequested(const QString& path);
     void retireRequested(const QString& name, bool isRetired);
     void exportRequested(const core::settings::FeelPreset& preset, const QString& path);
-    /// Emitted when a block shall be shown to try a preset on; beginTrial() answers.
+    /// Emitted when the user requests a trial of a preset. The receiver shows a block and calls beginTrial().
     void trialRequested(const core::settings::FeelPreset& preset);
     void trialBlockChosen(const core::settings::ToothKind& kind);
-    /// Emitted when the block shall feel like this from now on.
+    /// Emitted when the hardness of the block changes during a trial.
     void trialFelt(const core::settings::FeelPreset& preset);
-    /// Emitted when this tooth, and later ones except in exams, shall feel like this.
+    /// Emitted when the user requests another hardness for this tooth and later ones. It does not apply to exams.
     void feelRequested(const core::settings::FeelPreset& preset);
-    /// Emitted when the page shall be shown after a trial.
+    /// Emitted when a trial has ended, to open the page of presets.
     void pageRequested();
     /// Emitted when the values in settings may have changed.
     void feelChanged();
@@ -88,7 +90,7 @@ private:
     void connectCard();
     void connectConsole();
     [[nodiscard]] QString useByName(const QString& name);
-    /// Returns why not, or an empty string.
+    /// Changes the hardness by hand. Returns an empty string, or the reason why it was not changed.
     [[nodiscard]] std::string feelByHand(const core::settings::FeelPreset& wanted);
     [[nodiscard]] QString whyNotByHand(const core::settings::FeelPreset& next) const;
     [[nodiscard]] core::settings::FeelPreset usualIfEqual(const core::settings::FeelPreset& wanted) const;
@@ -102,11 +104,11 @@ private:
     UnsavedWork& m_unsaved;
     CommandSender& m_commands;
     presets::TrialCard* m_card;
-    core::settings::FeelPreset m_feel;       ///< of the tooth that is shown
-    core::settings::FeelPreset m_usualFeel;  ///< of that tooth, without changes by hand
-    /// The stored preset and its changed copy, for which a block was requested.
+    core::settings::FeelPreset m_feel;       ///< hardness of the tooth that is shown
+    core::settings::FeelPreset m_usualFeel;  ///< hardness of that tooth without changes by hand
+    /// The stored preset and its changed copy, for a trial that was requested and has not begun yet.
     std::optional<std::pair<core::settings::FeelPreset, core::settings::FeelPreset>> m_tried;
-    std::optional<presets::BlindTrial> m_blindTrial;  ///< in place of it
+    std::optional<presets::BlindTrial> m_blindTrial;  ///< set instead of m_tried for a blind trial
 };
 
 }  // namespace ui::window

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kMostColumns = 3;
 constexpr int kColumnGapPx = 32;
-constexpr int kColumnPx = 330;  ///< at least
+constexpr int kColumnPx = 330;  ///< smallest width of a column
 constexpr int kWidestColumnPx = 400;
 constexpr int kScrollBarPx = 16;
 
@@ -33,7 +33,7 @@ struct Gesture
     QStringList with;
 };
 
-/// What has no action because the view itself listens for it (ui/tooth/ToothView).
+/// Returns the input that ui/tooth/ToothView handles itself, so that there are no actions for it.
 QList<Gesture> gestures()
 {
     return {
@@ -47,7 +47,7 @@ QList<Gesture> gestures()
          {HelpOverlay::tr("wheel while pressed"), HelpOverlay::tr("Shift + wheel"), HelpOverlay::tr("Insert, Delete")}},
         {HelpOverlay::tr("Turn the view"), {HelpOverlay::tr("right or middle drag"), HelpOverlay::tr("Ctrl + arrows")}},
         {HelpOverlay::tr("Turn the handpiece"), {HelpOverlay::tr("the same with Shift")}},
-        // The left button on the tooth drills, however quickly it is pressed twice.
+        // A double-click with the left button drills, so it cannot reset the view.
         {HelpOverlay::tr("Reset view"), {HelpOverlay::tr("right double-click"), HelpOverlay::tr("Home")}},
         {HelpOverlay::tr("Move the mirror"), {HelpOverlay::tr("drag its glass"), HelpOverlay::tr("Alt + arrows")}},
         {HelpOverlay::tr("Tilt the mirror"), {HelpOverlay::tr("the same with Shift")}},
@@ -56,7 +56,7 @@ QList<Gesture> gestures()
     };
 }
 
-/// The same of ui/kit/ListTable.
+/// Returns the input that ui/kit/ListTable handles itself.
 QList<Gesture> inLists()
 {
     return {
@@ -122,7 +122,7 @@ HelpOverlay::HelpOverlay(const kit::Actions& actions, QWidget* parent)
     inside->addLayout(head);
     m_scroll = new kit::ScrollPane(m_content, QPalette::Base, m_card);
     inside->addWidget(m_scroll, 1);
-    // Keys have other names in another language, too.
+    // The groups are made again in another language, because the keys have other names too.
     text::bindTranslation(this, [this, &actions] { makeGroups(actions); });
     connect(&actions, &kit::Actions::bursAtHandChanged, this, [this, &actions] { makeGroups(actions); });
     hide();
@@ -151,7 +151,7 @@ void HelpOverlay::makeGroups(const kit::Actions& actions)
             QStringList keys;
             for (const QKeySequence& key : action->shortcuts())
                 keys << key.toString(QKeySequence::NativeText);
-            // Some are called otherwise as things stand: the same keys log in and lock.
+            // The text of some actions changes: the same keys log in and lock.
             auto* doing = new QLabel(m_content);
             kit::followWords(action, doing, [doing, action] { doing->setText(action->text()); });
             rows << rowOf(m_content, doing, keys);
@@ -190,8 +190,8 @@ void HelpOverlay::makeGroups(const kit::Actions& actions)
         arrange();
 }
 
-/// The groups in columns of about the same height, in their order. The card is as tall as they are, where the window
-/// has the room.
+/// Arranges the groups, in their order, in columns of about the same height. The card becomes as tall as the columns,
+/// if the window has room for that.
 void HelpOverlay::arrange()
 {
     const QMargins around = m_card->layout()->contentsMargins();
@@ -230,7 +230,7 @@ void HelpOverlay::fill(int columns)
         const int share = left / k;
         for (int filled = 0; next < groups.size(); ++next) {
             const int height = groups[next]->sizeHint().height();
-            // Whichever comes nearer to the share: with this group, or without it.
+            // The column ends where its height is nearest to the share: before this group or after it.
             if (k > 1 && filled > 0 && filled + height - share > share - filled)
                 break;
             column->addWidget(groups[next]);

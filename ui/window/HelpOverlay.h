@@ -14,8 +14,8 @@ class ScrollPane;
 
 namespace ui::window {
 
-/// What every key does, made from the action table, and what the mouse does over the tooth. Lies over the window, in
-/// as many columns as there is room for.
+/// An overlay over the window that lists what every key does, from the action table, and what the mouse does over the
+/// tooth. Shows as many columns as there is room for.
 class HelpOverlay : public QWidget
 {
     Q_OBJECT
@@ -23,7 +23,7 @@ public:
     HelpOverlay(const kit::Actions& actions, QWidget* parent);
 
 signals:
-    /// A click beside the card.
+    /// Emitted when the user clicks beside the card.
     void leftByClick();
 
 protected:
@@ -41,8 +41,8 @@ private:
     QToolButton* m_close;
     QWidget* m_content;
     kit::ScrollPane* m_scroll = nullptr;
-    QList<QWidget*> m_groups;  ///< a heading with its rows
-    int m_columns = 0;         ///< in which the groups stand now
+    QList<QWidget*> m_groups;  ///< each a heading with its rows
+    int m_columns = 0;         ///< present number of columns; 0: the groups must be arranged again
 };
 
 }  // namespace ui::window

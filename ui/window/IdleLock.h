@@ -9,31 +9,31 @@
 
 namespace ui::window {
 
-/// Finds out that nobody has used the program for a given time.
+/// Detects that nobody has used the program for a given time.
 ///
 /// Keys, mouse, pen and touch screen count as use, in every window of the program; touch() adds other kinds.
 class IdleLock final : public QObject
 {
     Q_OBJECT
 public:
-    /// Returns the time since some moment in the past; it never goes back.
+    /// Returns the time since a fixed moment in the past. The time never decreases.
     using Clock = std::function<std::chrono::milliseconds()>;
 
-    /// Begins with a limit of ten minutes.
+    /// Starts with a limit of ten minutes.
     explicit IdleLock(Clock clock, QObject* parent);
 
     /// Sets the time without use after which expired() is emitted.
     void setLimit(std::chrono::milliseconds limit);
     /// Restarts the time.
     void touch() { m_touchedAt = m_clock(); }
-    /// Emits expired() if the limit has passed. A timer calls this twenty times per limit.
+    /// Emits expired() if the limit has passed. A timer calls this twenty times within the limit.
     void check();
 
-    /// Measures with the steady clock of the system.
+    /// Returns the steady clock of the system.
     [[nodiscard]] static Clock steadyClock();
 
 signals:
-    /// Emitted at each check while nobody uses the program.
+    /// Emitted at each check after the limit has passed, until the program is used again.
     void expired();
 
 protected:

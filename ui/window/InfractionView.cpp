@@ -59,7 +59,7 @@ void InfractionView::show(const core::grading::Infraction& infraction, bool canT
 {
     m_tick = infraction.tick;
     m_bur.stopForBreach(m_card->isHidden());
-    // A bur that ran in the air has cut nothing that could be shown or taken back.
+    // A bur that ran in the air has cut nothing that could be shown or undone.
     const bool didHarm = infraction.breach != RuleViolation::BurInAir;
     if (didHarm)
         showPlace(infraction);
@@ -68,7 +68,7 @@ void InfractionView::show(const core::grading::Infraction& infraction, bool canT
     emit changed();
 }
 
-/// Holds the section at the place of the infraction, along what explains it.
+/// Fixes the section at the place of the infraction, in the direction that shows it best.
 void InfractionView::showPlace(const core::grading::Infraction& infraction)
 {
     m_room.section().setHeld(infraction.placeMm);

@@ -26,8 +26,8 @@ namespace ui::window {
 class BurControl;
 class PracticeRoom;
 
-/// Stops the bur when a rule of the lesson is broken in practice, shows the place in the section, and asks whether to
-/// take the cut back.
+/// Stops the bur when a rule of the lesson is broken in practice, shows the place in the section, and offers to undo
+/// the cut.
 class InfractionView final : public QObject
 {
     Q_OBJECT
@@ -35,18 +35,21 @@ public:
     InfractionView(const PracticeState& state, PracticeRoom& room, kit::Actions& actions, tooth::ToothView& view,
                    BurControl& bur);
 
-    /// @param canTakeBack  there is a moment before the infraction to go back to
+    /// Stops the bur and shows an infraction.
+    /// @param canTakeBack  whether the undo history has a step before the infraction
     void show(const core::grading::Infraction& infraction, bool canTakeBack);
     [[nodiscard]] bool isShown() const;
     void hide();
-    /// Goes on with the tooth as it is.
+    /// Continues with the tooth as it is.
     void goOn();
-    /// Takes the cut back. Returns whether that was offered.
+    /// Undoes the cut. Returns false if the card does not offer that.
     [[nodiscard]] bool takeBack();
     void setFocus();
     void placeIn(const QRect& area, const std::optional<QPointF>& bur);
 
 signals:
+    /// Emitted when the user requests to undo the cut.
+    /// @param tick  tick of the infraction
     void takeBackRequested(std::uint64_t tick);
     /// Emitted when actions and overlays need an update.
     void changed();
@@ -61,7 +64,7 @@ private:
     tooth::ToothView& m_view;
     BurControl& m_bur;
     practice::InfractionCard* m_card;
-    std::uint64_t m_tick = 0;  ///< of the infraction that is shown
+    std::uint64_t m_tick = 0;  ///< tick of the infraction that is shown
 };
 
 }  // namespace ui::window

@@ -10,12 +10,12 @@ class QWidget;
 
 namespace ui::window {
 
-/// Leaves keys to the widget with the keyboard focus where they would otherwise trigger a shortcut of the window.
+/// Passes keys to the widget with the keyboard focus that would otherwise trigger a shortcut of the window.
 ///
-/// - Space presses the button with the focus. Elsewhere it switches the drill.
-/// - Esc closes an open list, then clears a search field. Otherwise it leads back to the page before.
+/// - Space presses the button with the focus. Otherwise it switches the drill.
+/// - Esc closes an open list or clears a search field. Otherwise it opens the previous page.
 /// - Letters, digits and space are no shortcuts on pages of people, classes and settings, nor in lists and combo boxes.
-/// - Enter presses every button with the focus. Qt does that in dialogs only.
+/// - Enter presses the button with the focus on every page. Qt does that only in dialogs.
 class KeyFilter final : public QObject
 {
     Q_OBJECT
@@ -23,7 +23,7 @@ public:
     /// Filters the events of the whole program.
     /// @param pages    the pages of the window
     /// @param room     the page on which a letter is a shortcut even if a list has the focus
-    /// @param offices  the pages without letters as shortcuts
+    /// @param offices  the pages on which letters are no shortcuts
     KeyFilter(const QStackedWidget& pages, const QWidget& room, QList<const QWidget*> offices, QObject* parent);
 
 protected:

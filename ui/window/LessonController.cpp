@@ -63,7 +63,7 @@ void LessonController::begin(const lessons::Assignment& assignment)
         m_room.lesson().setPractice();
         return;
     }
-    // A lesson begins without the section and the colours of the lesson before.
+    // A new lesson begins without the section and the colours that were on in the lesson before.
     m_actions.section->setChecked(false);
     m_room.setSectionVisible(false);
     m_viewMenu.colourAgainstIdeal(assignment.lesson->task == lessons::Task::TraceShape);
@@ -124,7 +124,7 @@ void LessonController::follow()
 {
     if (!m_state.assignment)
         return;
-    // Free practice goes on after its grade.
+    // Free practice continues after its grade.
     const bool isOver = m_state.isGraded && m_state.assignment->lesson;
     const bool isWorking = !isOver && (m_state.isExam() || m_navigation.isInRoom());
     const bool isTimeOver = m_clock.advance(isWorking);
@@ -136,7 +136,7 @@ void LessonController::follow()
                            m_room.panel().hand().isDeep(m_state.servo));
 }
 
-/// The time of the lesson is over: an exam ends and is graded, practice may go on.
+/// Handles the end of the lesson's time. An exam ends and is graded. Practice shows a message and continues.
 void LessonController::endTime()
 {
     if (!m_state.isExam()) {
@@ -149,7 +149,7 @@ void LessonController::endTime()
         return;
     }
     endExam();
-    // The message stays on every page until the user has closed it.
+    // The message stays on every page until the user closes it.
     m_messages.say([] {
         return MessageBar::Message{
             MessageBar::Kind::Warning, tr("The time for this exam is over: cutting is disabled."), {}, {}, {},

@@ -29,7 +29,7 @@ class Navigation;
 class PracticeRoom;
 class UnsavedWork;
 
-/// The student's attempt at a lesson: begins it, allows its aids, runs its time, and ends an exam.
+/// Manages the student's attempt at a lesson: begins it, sets the allowed aids, runs its clock, and ends an exam.
 class LessonController final : public QObject
 {
     Q_OBJECT
@@ -38,24 +38,24 @@ public:
                      kit::MessageBar& messages, catalog::LessonsPage& lessons, const Navigation& navigation,
                      BurControl& bur, ExerciseView& exercise);
 
-    /// Begins an attempt. Its tooth is shown next.
+    /// Begins an attempt. The caller shows its tooth afterwards.
     void begin(const lessons::Assignment& assignment);
-    /// The attempt that was begun continues one that was interrupted.
+    /// Sets the times of the attempt before it was interrupted. Call it after begin().
     void resumeClock(double recordedS, double workedS) { m_clock.resume(recordedS, workedS); }
     /// Locks the aids that are not allowed.
     void setAids(const lessons::Aids& aids);
     /// Shows the ideal in section and colours, if the lesson allows that.
     void showIdeal();
-    /// Tells whether the student has no attempt left.
+    /// Sets whether the student has no attempt left.
     void setUsedUp(bool usedUp);
-    /// Advances time and steps of the lesson.
+    /// Updates time and steps of the lesson.
     void follow();
     /// Ends an exam: its time is over or it has a score. Cutting is disabled. Does nothing in practice.
     void endExam();
     /// Ends an exam that does not count, because another attempt was begun elsewhere.
     void refuseExam();
-    /// Begins the lesson again. Work with a grade, and exercises, begin as another attempt; otherwise the tooth is
-    /// reset, and can be restored.
+    /// Begins the lesson again. After a grade, in an exercise and in an exam, that is another attempt. Otherwise the
+    /// tooth is reset, which can be undone. If an exam has ended without a grade, shows a message instead.
     void startAgain(CommandSender& commands, UnsavedWork& unsaved);
     void showBegunAgain();
 
@@ -65,7 +65,7 @@ signals:
     void attemptAgainRequested();
     /// Emitted when the lesson does not allow the radiograph.
     void radiographLocked();
-    /// Emitted when the room shall be shown.
+    /// Emitted when the practice room must be opened.
     void roomRequested();
     /// Emitted when actions and overlays need an update.
     void changed();

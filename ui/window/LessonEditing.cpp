@@ -57,7 +57,7 @@ void LessonEditing::editSelected()
         return;
     }
     const lessons::CatalogEntry* const entry = m_page.chosen();
-    if (entry == nullptr)  // no lesson fits the search, and the page says so
+    if (entry == nullptr)  // no lesson matches the search, which the page shows
         return;
     if (!entry->read.lesson)
         m_notices.say(tr("This file is not a valid lesson, so it cannot be edited. Fix the listed errors first."));

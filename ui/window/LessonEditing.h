@@ -26,7 +26,7 @@ namespace ui::window {
 class Navigation;
 class Notices;
 
-/// Opens lessons in the editor, if the user may change them.
+/// Opens lessons in the lesson editor, if the user may change them.
 class LessonEditing final : public QObject
 {
     Q_OBJECT
@@ -34,12 +34,12 @@ public:
     LessonEditing(const PracticeState& state, catalog::LessonsPage& page, lessoneditor::LessonEditor& editor,
                   kit::Actions& actions, Navigation& navigation, Notices& notices);
 
-    /// Tells whether the user may change lessons, and recovers the user's unsaved lessons.
+    /// Sets whether the user may change lessons, and recovers the user's unsaved lessons.
     void setAllowed(bool allowed, const database::Login& user);
     [[nodiscard]] bool isAllowed() const { return m_isAllowed; }
     /// Sets the folder for the unsaved lessons of each user.
     void setRecoveryFolder(const QString& folder) { m_recoveryFolder = folder; }
-    /// Opens a valid lesson.
+    /// Opens a valid lesson in the editor.
     void edit(const lessons::ReadLesson& lesson);
     /// Sets the measures of known attempts at the lesson that is edited.
     void setKnownAttempts(std::vector<lessoneditor::MeasuredAttempt> attempts);
@@ -49,9 +49,9 @@ public:
     void showUnsaved();
 
 signals:
-    /// Emitted when a lesson is opened; its known attempts are of interest to the editor.
+    /// Emitted when a lesson is opened. The receiver calls setKnownAttempts().
     void knownAttemptsRequested(const lessons::Lesson& lesson);
-    /// Emitted when a lesson of a pack shall be edited. The pack is unpacked first.
+    /// Emitted when the user requests to edit a lesson of a pack. The receiver unpacks the pack first.
     void unpackRequested(const QString& pack, const QString& name);
     /// Emitted when actions need an update.
     void changed();

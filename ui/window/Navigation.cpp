@@ -54,7 +54,7 @@ void Navigation::goTo(QWidget& page)
     if (!isAt(page))
         m_messages.withdraw(MessageBar::Topic::Page);
     if (&page == &m_pages.lessons)
-        m_messages.withdraw(MessageBar::Topic::ResumableAttempt);  // the page has a card for the attempt
+        m_messages.withdraw(MessageBar::Topic::ResumableAttempt);  // the page of lessons shows the offer in a card
     m_pages.stack.setCurrentWidget(&page);
     showWayBack();
     emit pageShown();
@@ -71,7 +71,7 @@ QWidget& Navigation::pageBehind() const
     return isAt(m_pages.history) ? *m_behindHistory : m_pages.room;
 }
 
-/// Names the action `back` by the page to which it leads.
+/// Updates the text of the action `back`, which names the page that it opens.
 void Navigation::showWayBack()
 {
     const QWidget* const behind = &pageBehind();

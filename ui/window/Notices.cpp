@@ -60,7 +60,7 @@ void Notices::showError(const core::Error& error, FailedOperation failed, const 
     const QString exact = QString::fromStdString(error.detail);
     qWarning("%s", qPrintable(exact));
     const QString name = QFileInfo(file).fileName();
-    // A teacher can correct a lesson: the detail names the key, as on the page of lessons.
+    // A teacher can correct a lesson file, so the message contains the detail with the key, as on the page of lessons.
     const QString detail =
         failed == FailedOperation::OpeningLesson && !name.isEmpty() ? name + QStringLiteral(": ") + exact : name;
     m_messages.say([=] {

@@ -52,7 +52,7 @@ QWidget* openPopup()
     return inside != nullptr ? inside : popup;
 }
 
-/// Returns whether Tab passes over the other buttons of its group, so that only arrows go to them.
+/// Returns whether a button belongs to a group of exclusive buttons, in which only the arrow keys move the focus.
 bool isOneOfGroup(const QAbstractButton& button)
 {
     return button.isCheckable() &&
@@ -79,7 +79,7 @@ void stepByPad(QWidget& window, PadArrow arrow)
         const QModelIndex before = list->currentIndex();
         sendKey(*list, arrowKey(arrow));
         if (list->currentIndex() != before)
-            return;  // else it is the last entry on this way
+            return;  // otherwise it was the last entry in this direction, and the focus leaves the list
     }
     if (const auto* button = qobject_cast<QAbstractButton*>(focus); button != nullptr && isOneOfGroup(*button)) {
         sendKey(*focus, arrowKey(arrow));
@@ -92,7 +92,7 @@ void stepByPad(QWidget& window, PadArrow arrow)
     }
     if (isSideways &&
         (qobject_cast<QAbstractSpinBox*>(focus) != nullptr || qobject_cast<QComboBox*>(focus) != nullptr)) {
-        // The next entry of a choice is below; the next number is above.
+        // In a combo box the next entry is below; in a spin box the next number is above.
         const bool isUp = (qobject_cast<QComboBox*>(focus) != nullptr) != isOn;
         sendKey(*focus, isUp ? Qt::Key_Up : Qt::Key_Down);
         return;

@@ -55,7 +55,8 @@ void PracticeController::takeFrame(const core::servo::ServoState& servo)
     emit frameTaken(servo);
 }
 
-/// The depth is that of the servo, which also measures it at steep walls. Above the old surface there is none.
+/// Returns the depth of the bur and its distance from the pulp. The depth comes from the servo, which measures it at
+/// steep walls too. Above the uncut surface there is no depth.
 core::imaging::DepthReading PracticeController::readDepth(const core::servo::ServoState& servo) const
 {
     const core::terrain::Tooth* tooth = m_view.tooth();
@@ -72,7 +73,7 @@ core::imaging::DepthReading PracticeController::readDepth(const core::servo::Ser
     return reading;
 }
 
-/// Shows how near the bur is to the ideal, and ten times a second how far the work is.
+/// Shows how near the bur is to the ideal and, ten times a second, how much of the work is done.
 void PracticeController::showGuide(const core::servo::ServoState& servo)
 {
     const core::terrain::Tooth* tooth = m_view.tooth();
@@ -115,8 +116,8 @@ void PracticeController::takeSession()
     m_notes.update();
 }
 
-/// Shows a notice when the pulp is opened or the tooth perforated, not when such a tooth is loaded. In a lesson its
-/// rules decide what is shown, and in an exam nothing is.
+/// Shows a notice when the pulp is opened or the tooth is perforated, but not when such a tooth is loaded. Does nothing
+/// in a lesson, whose rules decide what is shown, and during an exam.
 void PracticeController::showHarm(const core::session::SessionState& now)
 {
     const bool inLesson =

@@ -27,7 +27,7 @@ class LessonController;
 class PracticeRoom;
 class ReplayView;
 
-/// Takes the newest state of servo and session, and updates what the practice room shows of it.
+/// Reads the newest state of servo and session, and updates the practice room.
 class PracticeController final : public QObject
 {
     Q_OBJECT
@@ -37,13 +37,13 @@ public:
                        tooth::ToothView& view, const practice::ViewMenu& viewMenu, BurControl& bur, ReplayView& replay,
                        ExerciseView& exercise, LessonController& lesson, AttemptNotes& notes);
 
-    /// Another tooth is shown.
+    /// Prepares for another tooth. Call it when PracticeState::tooth has changed.
     void setTooth();
-    /// Takes the state of the servo in a frame of the tooth view, and that of the session.
+    /// Handles a frame of the tooth view: shows the state of the servo in that frame, and the state of the session.
     void takeFrame(const core::servo::ServoState& servo);
-    /// Takes the state of the session only, while the view draws nothing.
+    /// Shows the state of the session only. Call it while the view draws nothing.
     void takeSession();
-    /// Shows the states of other channels, also in the tooth view: those of a replay, or the own ones again.
+    /// Shows the states of other channels, also in the tooth view: those of a replay, or again those of the student.
     /// @param channels  must outlive the controller
     void showChannels(core::session::UiChannels& channels);
 
@@ -68,9 +68,9 @@ private:
     ExerciseView& m_exercise;
     LessonController& m_lesson;
     AttemptNotes& m_notes;
-    std::optional<core::imaging::PulpChamber> m_pulp;  ///< of the tooth that is shown
+    std::optional<core::imaging::PulpChamber> m_pulp;  ///< pulp chamber of the tooth that is shown
     QElapsedTimer m_sinceGuide;
-    bool m_hasCut = false;  ///< in this window
+    bool m_hasCut = false;  ///< the user has cut since the window was opened
 };
 
 }  // namespace ui::window

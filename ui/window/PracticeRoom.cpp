@@ -33,21 +33,21 @@ namespace {
 
 constexpr int kNoticeMs = 8000;
 constexpr int kNoticeIconPx = 32;
-constexpr int kAccountPx = 110;       ///< widest name
-constexpr double kBurMovedPx = 16.0;  ///< overlays are placed again when the bur has moved so far
+constexpr int kAccountPx = 110;       ///< largest width of the user's name
+constexpr double kBurMovedPx = 16.0;  ///< distance that the bur must move before overlays are placed again
 constexpr int kSectionPercent = 27;
 constexpr int kUsualSectionPx = 344;
 constexpr int kNarrowestSectionPx = 300;
 constexpr int kWidestSectionPx = 560;
 constexpr int kNarrowestViewPx = 280;
-constexpr int kReferenceFromPx = 1000;  ///< a narrower room has no place for what is rarely used
+constexpr int kReferenceFromPx = 1000;  ///< in a narrower room the button to save an ideal is hidden
 
 }  // namespace
 
 PracticeRoom::PracticeRoom(kit::Actions& actions, practice::ViewMenu& viewMenu, tooth::ToothView* view, QWidget* parent)
     : QWidget(parent), m_view(view)
 {
-    // Before any child is made, so that all of them take their icons and colours from this room.
+    // This comes before the children are made, so that they take their icons and colours from this palette.
     kit::dress(*this, kit::roomPalette());
     setAutoFillBackground(true);
     view->setParent(this);
@@ -172,7 +172,7 @@ void PracticeRoom::makeNotice()
     m_notice->hide();
 }
 
-/// In whose name one drills: a glance tells it, at a place that many share.
+/// Makes the label with the name of the user, because several users may share the computer. It is hidden for a guest.
 QLabel* PracticeRoom::accountName(const kit::Actions& actions, QWidget* parent)
 {
     auto* name = new QLabel(parent);
@@ -194,13 +194,13 @@ QWidget* PracticeRoom::makeTopBar(const kit::Actions& actions)
     m_topBar = new kit::FoldingBar(this);
     kit::FoldingBar* frame = m_topBar;
     QHBoxLayout* row = &frame->row();
-    // Not barButton(): what this one shows is the tooth, not the action's words.
+    // This is no barButton(), because its text is the tooth and not the text of the action.
     m_tooth = new QToolButton(frame);
     m_tooth->setProperty("kind", "chooser");
     m_tooth->setIcon(kit::lineIcon(QStringLiteral("down"), palette()));
     m_tooth->setIconSize({16, 16});
     m_tooth->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_tooth->setLayoutDirection(Qt::RightToLeft);  // the arrow behind the words, as of anything that opens
+    m_tooth->setLayoutDirection(Qt::RightToLeft);  // puts the arrow behind the text, as in other menu buttons
     kit::followWords(actions.chooseTooth, m_tooth, [this, action = actions.chooseTooth] {
         m_tooth->setToolTip(action->toolTip());
         m_tooth->setStatusTip(action->statusTip());
@@ -216,7 +216,7 @@ QWidget* PracticeRoom::makeTopBar(const kit::Actions& actions)
     row->addWidget(m_tooth);
     row->addWidget(m_name, 1);
     frame->mayGo(m_name);
-    row->addStretch();  // where the name is gone
+    row->addStretch();  // fills the place of the name when that is hidden
     auto* lessons = kit::barButton(actions.lessons, true, frame);
     row->addWidget(lessons);
     frame->mayFold(lessons);
@@ -329,11 +329,11 @@ void PracticeRoom::keepLayout(bool kept)
     if (kept)
         return;
     fitSection();
-    layout()->update();  // for changes during the press
+    layout()->update();  // applies changes that were made during the press
 }
 
-/// A quarter of the room, so that on a large screen the section is large as well; on a small one it leaves the tooth as
-/// much as it can, and beside a trial for which there is no room it waits.
+/// Sets the width of the section to about a quarter of the room, so that it is larger on a larger screen. On a small
+/// screen the section is as narrow as the tooth view needs. Hides the section while a trial leaves no room for it.
 void PracticeRoom::fitSection()
 {
     if (m_view->isPressed())
@@ -355,7 +355,7 @@ bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
 {
     if ((watched == m_view || watched == m_beside) &&
         (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
-        m_areaIsNew = true;  // burAt() is right only after the view has handled the event
+        m_areaIsNew = true;  // burAt() is correct only after the view has handled the event
         placeOverlays();
         emit viewAreaChanged();
     }
@@ -367,7 +367,7 @@ bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
 void PracticeRoom::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    m_saveReference->setVisible(width() >= kReferenceFromPx);  // its key works all the same
+    m_saveReference->setVisible(width() >= kReferenceFromPx);  // the shortcut works even while the button is hidden
     m_topBar->fold();
     fitSection();
 }
@@ -406,7 +406,8 @@ void PracticeRoom::followBur()
     emit viewAreaChanged();
 }
 
-/// One of them is seen at a time.
+/// Places a label at the lower edge of the view, or at the upper edge if it would cover the bur. Only one such label is
+/// visible at a time.
 void PracticeRoom::placeAtFoot(QLabel& words, const QRect& area) const
 {
     const QSize oneLine = words.fontMetrics().size(0, words.text());
@@ -418,7 +419,7 @@ void PracticeRoom::placeAtFoot(QLabel& words, const QRect& area) const
     words.raise();
 }
 
-/// On as few lines as there is room for.
+/// Places the notice, as wide as its text if there is room, and away from the bur.
 void PracticeRoom::placeNotice()
 {
     const QRect area = viewArea();

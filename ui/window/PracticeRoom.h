@@ -38,59 +38,62 @@ class ToothView;
 
 namespace ui::window {
 
-/// The room in which one drills: the tooth fills it; a bar above says which tooth, a bar below holds the work's own
-/// buttons, the side panel the figures. Dark grey in either theme.
+/// The page in which the student drills. The tooth fills it. The top bar names the tooth, the bottom bar contains the
+/// buttons for the work, and the side panel shows numbers. The page is dark grey in both themes.
 ///
-/// While the tooth view is pressed, the room keeps its layout, so that the tooth never moves under the bur. Widgets
+/// While the tooth view is pressed, the layout does not change, so that the tooth never moves under the bur. Widgets
 /// that open, close or change their size meanwhile are placed after the release.
 class PracticeRoom : public QWidget
 {
     Q_OBJECT
 public:
-    /// @param view  the tooth; becomes a child
+    /// @param view  shows the tooth; becomes a child
     PracticeRoom(kit::Actions& actions, practice::ViewMenu& viewMenu, tooth::ToothView* view, QWidget* parent);
 
     [[nodiscard]] practice::SidePanel& panel() { return *m_panel; }
     [[nodiscard]] inside::SectionView& section() { return *m_section; }
-    /// Above the tooth; hidden without a lesson.
+    /// Returns the strip above the tooth, which is hidden if there is no lesson.
     [[nodiscard]] practice::LessonStrip& lesson() { return *m_lesson; }
-    /// In place of the work's own bar while a recording is played.
+    /// Returns the bar that replaces the bottom bar while a recording is played.
     [[nodiscard]] replay::ReplayBar& replay() { return *m_replay; }
-    /// Over the tooth; hidden until it is wanted.
+    /// Returns the panel of the undo history over the tooth, which is hidden until the user opens it.
     [[nodiscard]] practice::HistoryPanel& history() { return *m_history; }
-    /// Has its place beneath the tooth while it is visible.
+    /// Adds the card of an exercise below the tooth. It takes room only while it is visible.
     void setExercise(QWidget* card);
-    /// Beside the view, while it is visible.
+    /// Adds the card of a trial beside the view. It takes room only while it is visible.
     void setTrial(QWidget* card);
-    /// Shows another tooth to the right of ours, each with its name above it; null: none, and no names.
+    /// Shows another tooth to the right of the first one, each with its name above it. null: removes the other tooth
+    /// and the names.
     void setBeside(QWidget* view, const QString& name = {});
-    /// @param title  "Tooth 36", or the file
-    /// @param name   "lower left first molar", or empty
+    /// Shows the name of the tooth in the top bar.
+    /// @param title  such as "Tooth 36", or the name of a file
+    /// @param name   such as "lower left first molar", or empty
     void setTooth(const QString& title, const QString& name);
-    /// The line at the foot of the view that says how to begin.
+    /// Shows or hides the line at the lower edge of the view that says how to begin.
     void setHintVisible(bool visible);
-    /// The hint is about the mouse: with a force device it is hidden.
+    /// Sets whether the hand feels a force. If so, the hint is hidden, because it is about the mouse.
     void setHandHasForce(bool hasForce)
     {
         m_handHasForce = hasForce;
         setHintVisible(m_hintWanted);
     }
-    /// Tells of harm where it happens, over the tooth, for as long as it takes to read it.
+    /// Shows a notice about harm over the tooth for eight seconds.
+    /// @param whatToDo  a second sentence; may be empty
     void showNotice(const QString& what, const QString& whatToDo);
-    /// Returns whether there was a notice to hide.
+    /// Hides the notice. Returns whether one was shown.
     bool hideNotice();
-    /// What somebody remarked of the moment that is played, at the foot of the view; empty: nothing.
+    /// Shows a comment on the moment that is played, at the lower edge of the view. Empty: hides it.
     void showRemark(const QString& words);
     void setReplaying(bool replaying);
-    /// Puts the side panel away, or shows it.
+    /// Shows or hides the side panel.
     void setPanelVisible(bool visible);
-    /// Shows the cross-section beside the tooth, or puts it away.
+    /// Shows or hides the cross-section beside the tooth.
     void setSectionVisible(bool visible);
-    /// Where the tooth is, in this widget's coordinates.
+    /// Returns the area of the tooth view, in this widget's coordinates.
     [[nodiscard]] QRect viewArea() const;
-    /// Returns the place that overlays must not cover, in this widget's coordinates: the bur while the view is pressed
-    /// or a recording is played, and afterwards its last place. So a card does not move away from a pointer that comes
-    /// to it.
+    /// Returns the position that overlays must not cover, in this widget's coordinates. This is the position of the bur
+    /// while the view is pressed or a recording is played, and its last such position afterwards, so that a card does
+    /// not move away from the pointer.
     [[nodiscard]] const std::optional<QPointF>& burPlace() const { return m_bur; }
 
 signals:
@@ -126,13 +129,13 @@ private:
     QHBoxLayout* m_middle = nullptr;
     QVBoxLayout* m_viewColumn = nullptr;
     QWidget* m_beside = nullptr;
-    QLabel* m_besideName = nullptr;  ///< above the tooth beside
-    QLabel* m_ourName = nullptr;     ///< above ours, while there is one beside
+    QLabel* m_besideName = nullptr;  ///< above the other tooth
+    QLabel* m_ourName = nullptr;     ///< above the first tooth, while another is shown beside it
     QWidget* m_workBar = nullptr;
     replay::ReplayBar* m_replay = nullptr;
     practice::HistoryPanel* m_history = nullptr;
     QLabel* m_hint = nullptr;
-    QLabel* m_remark = nullptr;  ///< while a recording is played
+    QLabel* m_remark = nullptr;  ///< shown only while a recording is played
     QFrame* m_notice = nullptr;
     QLabel* m_noticeWhat = nullptr;
     QLabel* m_noticeToDo = nullptr;

@@ -24,7 +24,7 @@ core::terrain::PerMaterial PracticeState::ownWork() const
 {
     if (isReplaying)
         return workAtRest;
-    // The session reports the tooth before until it has loaded the new one.
+    // The session reports the previous tooth until it has loaded the new one.
     return session.toothGeneration == ownGeneration ? session.removedMm3 : core::terrain::PerMaterial{};
 }
 

@@ -102,7 +102,8 @@ void ReplayView::showCourse()
     m_room.replay().setCourse(withoutSecrets(m_course));
 }
 
-/// A student could record the running exam and play the recording: it must not show the breaches.
+/// Returns a timeline without the infractions while an exam is running. Otherwise a student could record the exam and
+/// see its infractions in a replay.
 replay::AttemptTimeline ReplayView::withoutSecrets(replay::AttemptTimeline course) const
 {
     if (m_state.isExamRunning())
@@ -122,7 +123,7 @@ void ReplayView::follow()
     showRemarks();
 }
 
-/// Shows words and places of the remarks at the present moment.
+/// Shows text and places of the comments on the present moment.
 void ReplayView::showRemarks()
 {
     std::vector<replay::Remark> now = m_course.remarksAt(m_state.session.recordedS);
@@ -220,7 +221,7 @@ void ReplayView::hideBeside()
     m_view.setFocus();
 }
 
-/// If one tooth was turned, turns the other the same way.
+/// Turns both teeth the same way: if the user has turned one, turns the other.
 void ReplayView::lookAlike()
 {
     tooth::ToothView* turned = m_beside->camera().view() != m_sharedLook ? m_beside : &m_view;
@@ -255,7 +256,7 @@ void ReplayView::askForBeside()
                  [this](const QString& path) { emit besideRequested(path); });
 }
 
-/// The button is at the lower edge of the screen.
+/// Returns the position for a menu above its button, because the button is at the lower edge of the screen.
 QPoint ReplayView::aboveBesideButton(const QMenu& menu) const
 {
     const QWidget* at = &m_room.replay();

@@ -33,7 +33,7 @@ class FileDialogs;
 class Navigation;
 class PracticeRoom;
 
-/// The replay of a recording in the practice room: its bar and time line, remarks, and another attempt beside it.
+/// Shows the replay of a recording in the practice room: its bar and timeline, comments, and another attempt beside it.
 class ReplayView final : public QObject
 {
     Q_OBJECT
@@ -42,36 +42,36 @@ public:
                kit::MessageBar& messages, FileDialogs& files, const Navigation& navigation);
 
     /// Begins or ends a replay. The caller shows the tooth afterwards.
-    /// @param ideal   of the recorded tooth; null: there is none
-    /// @param lesson  of the recording; unset: free practice
-    /// @param whose   the student and the time of the attempt; empty: unknown
+    /// @param ideal   ideal of the recorded tooth; null: there is none
+    /// @param lesson  lesson of the recording; unset: free practice
+    /// @param whose   name of the student and time of the attempt; empty: unknown
     void setReplaying(bool replaying, double lengthS, core::grading::IdealTop ideal,
                       std::optional<lessons::Lesson> lesson, const QString& whose);
     [[nodiscard]] const core::grading::IdealTop& ideal() const { return m_ideal; }
     [[nodiscard]] const QString& whose() const { return m_whose; }
-    /// Sets what is known of the attempt. Called again when more is known.
+    /// Sets the timeline of the attempt. Call it again when more of the timeline has been computed.
     void setCourse(const replay::AttemptTimeline& course);
     void setRemarks(std::vector<replay::Remark> remarks);
     /// Shows the present moment of the recording.
     void follow();
     void showPaused(bool paused);
-    /// The recording has ended and is paused.
+    /// Shows that the recording has ended and is paused.
     void showEnd();
-    /// The device no longer leads the hand.
-    /// @param pushed  the user pushed against it; otherwise the device is lost
+    /// Shows that the device no longer guides the hand.
+    /// @param pushed  true: the user pushed against the device; false: the device was lost
     void showLeadEnd(bool pushed);
     /// Shows a sentence with a button that stops the replay.
     void offerToStop(const QString& sentence);
 
     /// Shows another attempt beside the replay, seen from the same side.
-    /// @param links  its tooth; must outlive the view until hideBeside()
+    /// @param links  channels of that attempt; must be valid until hideBeside()
     void showBeside(core::session::UiChannels& links, const std::shared_ptr<const core::terrain::ToothAnatomy>& tooth,
                     std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name);
     void setBesideCourse(const replay::AttemptTimeline& course);
     void hideBeside();
-    /// Offers attempts to show beside the replay, and a file. Without attempts it asks for a file at once.
+    /// Offers attempts, and a file, to show beside the replay. If there are no attempts, opens the file dialog at once.
     void offerBeside(const QList<kit::MessageBar::Choice>& attempts);
-    /// Null unless an attempt is beside.
+    /// Returns the view of the attempt that is shown beside the replay, or null.
     [[nodiscard]] tooth::ToothView* beside() const { return m_beside; }
 
     struct Points
@@ -80,26 +80,30 @@ public:
         std::vector<tooth::PointMark> beside;
         bool operator==(const Points&) const = default;
     };
-    /// Returns the points of the exercise in the recording, and in the one beside at the same share of its time.
+    /// Returns the points of the exercise, as touched up to the present moment of the recording. In the attempt beside,
+    /// this is the moment at the same share of its length.
     [[nodiscard]] Points points() const;
 
 signals:
     void stopRequested();
     void pauseRequested(bool paused);
+    /// Emitted when the user chooses another speed.
     /// @param times  0.1 to 16 times as fast as the recording was made. A replay begins with 1
     void speedChosen(double times);
-    /// @param seconds  a moment of the recording
+    /// Emitted when the user goes to another moment.
+    /// @param seconds  from the start of the recording
     void seekRequested(double seconds);
-    /// The device shall lead the hand along the replay, or stop that.
+    /// Emitted when the user requests that the device guides their hand along the replay, or stops that.
     void leadRequested(bool on);
-    /// Asks for attempts to show beside; offerBeside() answers.
+    /// Emitted when the user requests to show another attempt beside. The receiver calls offerBeside().
     /// @param lesson  id of the lesson of the replay; empty: free practice
     void besidesRequested(const std::string& lesson, const std::string& tooth);
     void besideRequested(const QString& path);
     void besideCloseRequested();
-    /// Emitted when the recording of the lesson's author shall be played, or shown beside.
+    /// Emitted when the user requests to play the recording of the lesson's author, or to show it beside.
     void expertRequested();
-    /// Emitted when a moment is shown in the room, s since the beginning.
+    /// Emitted when a moment is shown in the practice room.
+    /// @param seconds  from the start of the recording
     void shown(double seconds);
     /// Emitted when points() may have changed.
     void pointsChanged();
@@ -127,11 +131,11 @@ private:
     QString m_whose;
     replay::AttemptTimeline m_course;
     replay::AttemptTimeline m_besideCourse;
-    std::vector<replay::Remark> m_remarked;  ///< at the moment that is shown
-    Points m_followed;                       ///< at the last call of follow()
+    std::vector<replay::Remark> m_remarked;  ///< comments on the moment that is shown
+    Points m_followed;                       ///< points() at the last call of follow()
     bool m_isPaused = false;
     tooth::ToothView* m_beside = nullptr;
-    glm::dmat4 m_sharedLook{1.0};  ///< of both cameras
+    glm::dmat4 m_sharedLook{1.0};  ///< view matrix of both cameras
 };
 
 }  // namespace ui::window

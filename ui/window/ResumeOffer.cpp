@@ -56,7 +56,7 @@ void ResumeOffer::resume()
 
 void ResumeOffer::discard()
 {
-    // The second click of a double click is not meant for the next offer, which may be in its place by then.
+    // The second click of a double-click must not discard the next offer, which may already be shown in the same place.
     if (m_sinceDiscard.isValid() && !m_sinceDiscard.hasExpired(2 * QApplication::doubleClickInterval())) {
         show();
         return;

@@ -18,17 +18,20 @@ namespace ui::window {
 class Navigation;
 class UnsavedWork;
 
-/// Offers to resume an attempt that was interrupted, or to discard it: on the page of lessons, elsewhere as a message.
+/// Offers to resume or discard an attempt that was interrupted. The page of lessons shows the offer in a card, every
+/// other page in a message.
 class ResumeOffer final : public QObject
 {
     Q_OBJECT
 public:
     ResumeOffer(kit::MessageBar& messages, catalog::LessonsPage& lessons, Navigation& navigation, UnsavedWork& unsaved);
 
-    /// @param title  of the lesson or tooth
+    /// Shows the offer.
+    /// @param title  returns the title of the lesson or tooth
     void offer(const std::function<QString()>& title, const QDateTime& begun, bool isExam);
+    /// Hides the offer.
     void forget();
-    /// The attempt was discarded: offers to restore it.
+    /// Shows that the attempt was discarded, and offers to restore it.
     void offerToRestore(const std::function<void()>& restore);
 
 signals:

@@ -28,11 +28,11 @@ namespace ui::window {
 namespace {
 
 constexpr int kTourCardPx = 360;
-constexpr int kTourGapPx = 14;  ///< between the card and what it is about
-constexpr int kAroundPx = 4;    ///< that is lit around it
-constexpr int kLiftPx = 72;     ///< of a card that lies on what it is about, over the line at its foot
+constexpr int kTourGapPx = 14;  ///< distance between the card and the target
+constexpr int kAroundPx = 4;    ///< width of the highlighted border around the target
+constexpr int kLiftPx = 72;     ///< distance of a card on the target from the lower edge of the target
 
-/// What is pressed for an action on this page; null where it is not there.
+/// Returns the visible button of an action on a page; null if there is none.
 QWidget* buttonOf(const QWidget& page, const QAction* action)
 {
     for (auto* button : page.findChildren<QToolButton*>())
@@ -91,7 +91,7 @@ Tour::Tour(const kit::Actions& actions, const Pages& pages, QWidget* parent)
     row->addWidget(m_next);
     column->addLayout(row);
     hide();
-    // A page that is filled meanwhile wants the keyboard for itself.
+    // A page that is filled during the tour may take the keyboard focus, so the tour takes it back.
     connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
         if (!isHidden() && now != nullptr && parentWidget()->isAncestorOf(now) && !isAncestorOf(now))
             m_next->setFocus();
@@ -257,7 +257,8 @@ void Tour::retranslateUi()
     place();
 }
 
-/// The card below what it is about, or above, or beside it: where there is room; where there is none, on it.
+/// Places the card below, above or beside the target, where there is room. If there is no room, places it on the
+/// target.
 void Tour::place()
 {
     QWidget* lit = target();
@@ -298,12 +299,12 @@ void Tour::paintEvent(QPaintEvent*)
     hole.addRoundedRect(lit, kit::kRadius + kAroundPx, kit::kRadius + kAroundPx);
     painter.fillPath(dim.subtracted(hole), QColor(0, 0, 0, 150));
     painter.setBrush(Qt::NoBrush);
-    // In both themes, and beside light and dark.
+    // A white line and a line in the accent colour are visible in both themes, on light and dark parts.
     painter.setPen(QPen(QColor(255, 255, 255), 3.0));
     painter.drawPath(hole);
     painter.setPen(QPen(kit::tones(palette()).accent, 2.0));
     painter.drawPath(hole);
-    // From the card towards what it is about.
+    // A triangle points from the card to the target.
     const QRectF card(m_card->geometry());
     const double x = std::clamp(lit.center().x(), card.left() + 20.0, card.right() - 20.0);
     const double y = std::clamp(lit.center().y(), card.top() + 20.0, card.bottom() - 20.0);
@@ -331,7 +332,8 @@ void Tour::resizeEvent(QResizeEvent* event)
     place();
 }
 
-/// What is lit moves and grows with the window. To a button the arrows would mean the button beside it.
+/// Places the card again when the target is moved or resized. Handles the arrow keys for the buttons of the card, which
+/// would otherwise move the focus to the next button.
 bool Tour::eventFilter(QObject* watched, QEvent* event)
 {
     const bool isButton =
@@ -350,7 +352,7 @@ bool Tour::eventFilter(QObject* watched, QEvent* event)
     return QWidget::eventFilter(watched, event);
 }
 
-/// Of all keys that do something in the window, only those that end it, lock the place and quit go through.
+/// Blocks the shortcuts of the window, except those that end the tour, lock the window or quit the program.
 bool Tour::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
@@ -373,20 +375,20 @@ void Tour::keyPressEvent(QKeyEvent* event)
     event->accept();
 }
 
-/// Beside the card nothing is pressed.
+/// Blocks clicks beside the card.
 void Tour::mousePressEvent(QMouseEvent* event)
 {
     event->accept();
 }
 
-/// Tab stays in the card.
+/// Moves the focus among the buttons of the card only.
 bool Tour::focusNextPrevChild(bool next)
 {
     std::vector<QPushButton*> buttons;
     for (QPushButton* button : {m_skip, m_back, m_next})
         if (button->isVisible() && button->isEnabled())
             buttons.push_back(button);
-    if (buttons.empty())  // it is put away, and the focus with it
+    if (buttons.empty())  // the tour is hidden
         return QWidget::focusNextPrevChild(next);
     const auto now =
         std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* one) { return one->hasFocus(); });

@@ -20,13 +20,13 @@ class Actions;
 
 namespace ui::window {
 
-/// Shows who is new here round: some steps, each a card beside a control of the window that is lit while the rest is
-/// dimmed. It lies over the window and keeps the keys: Right, Left, Enter, and Esc, which ends it.
+/// An overlay that shows a new user the program in some steps. Each step is a card beside a control of the window, and
+/// the rest of the window is dimmed. Right and Enter show the next step, Left the previous one, and Esc ends the tour.
 class Tour final : public QWidget
 {
     Q_OBJECT
 public:
-    /// The pages where its steps are.
+    /// The pages on which steps are shown.
     enum class Where { Room, Lessons, Classes, School };
     struct Pages
     {
@@ -36,32 +36,32 @@ public:
         QWidget& school;
     };
 
-    /// @param pages  where controls are looked for
+    /// @param pages  the pages that contain the controls
     Tour(const kit::Actions& actions, const Pages& pages, QWidget* parent);
 
-    /// From its first step, as it is for this role. Steps whose control is not there are left out.
+    /// Starts the tour for a role at its first step. Leaves out steps whose control does not exist.
     void begin(database::Role role);
     void next();
     void previous();
-    /// Ends it, wherever it is.
+    /// Ends the tour at any step and emits ended().
     void end();
-    /// Puts it away without having been seen to its end: the place is locked.
+    /// Hides the tour without ended(), because the window is locked. The user has not seen it to its end.
     void breakOff();
 
     [[nodiscard]] int steps() const { return static_cast<int>(m_steps.size()); }
     [[nodiscard]] int step() const { return m_step; }
-    /// The page of the step it is at.
+    /// Returns the page of the present step.
     [[nodiscard]] Where where() const
     {
         return m_steps.empty() ? Where::Room : m_steps.at(static_cast<std::size_t>(m_step)).where;
     }
-    /// That is lit; null while none is.
+    /// Returns the control that is highlighted, or null.
     [[nodiscard]] QWidget* target() const;
 
 signals:
-    /// The next step is on this page.
+    /// Emitted when a step begins. The receiver opens the page of the step.
     void pageRequested(Tour::Where where);
-    /// It was seen, or skipped.
+    /// Emitted when the user has seen the tour to its end or skipped it.
     void ended();
 
 protected:
@@ -93,7 +93,7 @@ private:
     Pages m_pages;
     std::vector<Step> m_steps;
     int m_step = 0;
-    QRect m_lit;  ///< of the target, in this widget
+    QRect m_lit;  ///< rectangle of the target, in this widget's coordinates
     QFrame* m_card;
     QLabel* m_title;
     QLabel* m_words;

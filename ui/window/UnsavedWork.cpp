@@ -64,7 +64,7 @@ void UnsavedWork::leaveChanges(const Action& what, const QString& owner)
         what();
         return;
     }
-    // Who answers for somebody else is not told what the changes are about.
+    // A person who is not the owner must not read what the changes are about.
     const bool isForeign = !owner.isEmpty();
     ask("unsavedQuestion",
         kit::UnsavedChanges::question(isForeign ? QString() : unsaved, owner, [this, what, isForeign] {

@@ -16,7 +16,8 @@ namespace ui::window {
 
 class PracticeRoom;
 
-/// The layout that the user chooses, stored between runs: size of the window, side panel, section, hand.
+/// Saves the layout that the user chooses and restores it at the next run: size of the window, side panel, section, and
+/// left or right hand.
 class WindowLayout final : public QObject
 {
     Q_OBJECT
@@ -25,7 +26,7 @@ public:
 
     /// Restores the layout of the last run, but not the full screen.
     void restore();
-    /// Stores the size and place of the window.
+    /// Saves the size and position of the window.
     void saveGeometry() const;
 
 signals:

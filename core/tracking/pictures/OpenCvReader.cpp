@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kLargestPx = 16384;
 
-/// Makes a grey picture from an image in grey or colour. Returns false if there is no image.
+/// Converts an image in grey or colour to a grey picture. Returns false if there is no image.
 bool take(const cv::Mat& image, Picture& picture)
 {
     if (image.empty() || image.depth() != CV_8U || image.cols > kLargestPx || image.rows > kLargestPx)
@@ -91,7 +91,7 @@ PictureReader* openCamera(int number, int width, int height, double hz)
         cv::VideoCapture capture(number, cv::CAP_V4L2);
         if (!capture.isOpened())
             return nullptr;
-        // Most cameras give few uncompressed pictures per second at this size.
+        // Most cameras deliver only a few uncompressed pictures per second at this size.
         capture.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
         if (width > 0 && height > 0) {
             capture.set(cv::CAP_PROP_FRAME_WIDTH, width);
@@ -99,7 +99,7 @@ PictureReader* openCamera(int number, int width, int height, double hz)
         }
         if (hz > 0.0)
             capture.set(cv::CAP_PROP_FPS, hz);
-        capture.set(cv::CAP_PROP_BUFFERSIZE, 1);  // the newest picture, not the oldest of a queue
+        capture.set(cv::CAP_PROP_BUFFERSIZE, 1);  // returns the newest picture instead of the oldest of a queue
         return new VideoReader(capture, true);
     } catch (const std::exception&) {
         return nullptr;
@@ -116,7 +116,7 @@ PictureReader* openVideo(const char* path)
     }
 }
 
-/// Returns whether a file is a JPEG without its end. OpenCV would make a picture of it with a grey lower part.
+/// Returns whether a file is a JPEG without its end. OpenCV would fill the missing lower part with grey.
 bool isCutOffJpeg(const char* path)
 {
     std::ifstream file(path, std::ios::binary);
@@ -124,7 +124,7 @@ bool isCutOffJpeg(const char* path)
     constexpr std::string_view kStart = "\xFF\xD8";
     if (!file.read(head.data(), 2) || std::string_view(head.data(), 2) != kStart)
         return false;
-    // Segments with their lengths, up to the first scan. A thumbnail in one of them has its own end.
+    // Skips segments by their lengths, up to the first scan, because a thumbnail in one of them has its own end.
     constexpr char kScan = '\xDA';
     while (file.read(head.data(), 4) && head[1] != kScan) {
         const int length = 256 * static_cast<std::uint8_t>(head[2]) + static_cast<std::uint8_t>(head[3]);
@@ -155,9 +155,9 @@ extern "C" __attribute__((visibility("default"))) const core::tracking::PictureL
 {
     // Cusp reports errors itself.
     setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
-    setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "2", 0);  // seconds that a camera may be silent
+    setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "2", 0);  // timeout in seconds, for a camera that sends nothing
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-    std::cerr.setstate(std::ios::badbit);  // OpenCV's messages for programmers; Cusp writes to stderr itself
+    std::cerr.setstate(std::ios::badbit);  // hides OpenCV's messages; Cusp itself does not use std::cerr
     cv::setNumThreads(1);
     return &core::tracking::pictures::kLibrary;
 }

@@ -22,10 +22,10 @@ using core::terrain::Material;
 namespace {
 
 constexpr double kRateHz = 48'000.0;
-/// No two samples that follow one another differ by more, whatever happens.
+/// Largest difference of two successive samples, in any situation.
 constexpr float kMostJump = 0.8F;
-/// The first sample after a change differs by no more from what it would have been without, the second by no more than
-/// twice this, and so on.
+/// Largest difference that a change of state makes to the first sample after it; for the second sample it is twice as
+/// large, and so on.
 constexpr float kMostStep = 0.025F;
 constexpr std::size_t kFirstSamples = 10;
 
@@ -41,7 +41,7 @@ std::vector<float> rendered(Synthesizer& synthesizer, const SoundState& state, d
     return samples;
 }
 
-/// What is heard after a second with the same state.
+/// Returns one second of sound after a second in the same state.
 std::vector<float> settled(const SoundState& state, double rateHz = kRateHz, const Volumes& volumes = {})
 {
     Synthesizer synthesizer(rateHz);
@@ -165,8 +165,8 @@ private slots:
         QVERIFY(heardHz(0.8F) < 0.85 * heardHz(1.0F));
     }
 
-    /// The noise of enamel is at least twice as bright, and each material has 10 dB more of its own band in its sound
-    /// than the other has.
+    /// The noise of enamel is at least twice as bright as that of dentin, and each material's own band is at least 10
+    /// dB stronger in its sound than in the other's.
     void enamelAndDentinAreToldApart_data()
     {
         QTest::addColumn<double>("rateHz");
@@ -189,7 +189,7 @@ private slots:
         QVERIFY(highOverLow(enamel) > 10.0 * highOverLow(dentin));
     }
 
-    /// They stay apart in the whole sound, with whine, spray and suction.
+    /// They also differ in the complete sound with whine, spray and suction.
     void enamelAndDentinAreToldApartInTheWhole()
     {
         const auto spectrumOf = [](Material material, float mm3PerS) {
@@ -200,7 +200,7 @@ private slots:
         };
         const lab::Spectrum enamel = spectrumOf(Material::Enamel, 0.4F);
         const lab::Spectrum dentin = spectrumOf(Material::Dentin, 1.6F);
-        // Beside the whine and its harmonics, at 4.5 and 9.1 kHz.
+        // The bands leave out the whine and its harmonics, at 4.5 and 9.1 kHz.
         QVERIFY(enamel.power(6'000.0, 8'400.0) > 2.0 * dentin.power(6'000.0, 8'400.0));
         QVERIFY(dentin.power(1'500.0, 3'500.0) > 4.0 * enamel.power(1'500.0, 3'500.0));
     }
@@ -210,7 +210,7 @@ private slots:
         const auto level = [](float mm3PerS) {
             return levelOf(settled(cutting(Material::Dentin, mm3PerS), kRateHz, only(core::audio::Part::Cutting)));
         };
-        QVERIFY(level(0.0F) > 0.0);  // it rubs
+        QVERIFY(level(0.0F) > 0.0);  // the bur rubs
         QVERIFY(level(0.4F) > 1.5 * level(0.0F));
         QVERIFY(level(1.6F) > 1.5 * level(0.4F));
     }
@@ -256,7 +256,7 @@ private slots:
         QCOMPARE(loudest(rendered(synthesizer, state, 0.5)), 0.0F);
         synthesizer.setVolumes({});
         QVERIFY(loudest(rendered(synthesizer, state, 0.5)) > 0.05F);
-        static_cast<void>(rendered(synthesizer, {}, 5.0));  // runs down
+        static_cast<void>(rendered(synthesizer, {}, 5.0));  // the handpiece runs down
         QCOMPARE(loudest(rendered(synthesizer, {}, 0.5)), 0.0F);
     }
 
@@ -301,7 +301,7 @@ private slots:
                 Synthesizer unchanged = changed;
                 const SoundState next = randomState(rng);
                 const Volumes nextVolumes = rng.uniform() < 0.5 ? randomVolumes(rng) : volumes;
-                // The same sound with and without the change.
+                // Renders the same sound with and without the change.
                 std::vector<float> expected(kFirstSamples);
                 std::vector<float> heard(kFirstSamples);
                 unchanged.render(state, expected);
@@ -353,7 +353,7 @@ private slots:
         }
     }
 
-    /// Numbers so small that processors are slow with them would come from what fades away.
+    /// A decaying sound must not end in denormal numbers, which some processors compute slowly.
     void nothingBecomesDenormal()
     {
         Synthesizer synthesizer(kRateHz);
@@ -395,7 +395,7 @@ private slots:
             QCOMPARE(stereo[2 * k], mono[k]);
             QCOMPARE(stereo[2 * k + 1], mono[k]);
         }
-        QCOMPARE(stereo.back(), 7.0F);  // no whole frame
+        QCOMPARE(stereo.back(), 7.0F);  // the last value is not a whole frame
     }
 
     void theSampleHasEnamelAndDentin()
@@ -439,13 +439,13 @@ private slots:
         QVERIFY(std::abs(heard.contactMmPerS - 10.0F) < 0.1F);
         QVERIFY(std::abs(heard.cutMm3PerS - 0.4F) < 0.01F);
         QCOMPARE(heard.load(), 0.25F);
-        QVERIFY(heard.chatter < 0.1F);  // the contact has passed
+        QVERIFY(heard.chatter < 0.1F);  // the bur is no longer in contact
         for (int tick = 0; tick < 100; ++tick) {
             state.forceN.z = tick % 4 < 2 ? 0.7 : 1.3;
             heard = sound.update(state, turbine, kTickS);
         }
         QVERIFY(heard.chatter > 0.5F);
-        // A tooth that is taken anew has lost nothing.
+        // On a new tooth, the decrease of the removed volume is not a cut.
         state.removedMm3 = {};
         for (int tick = 0; tick < 100; ++tick)
             heard = sound.update(state, turbine, kTickS);

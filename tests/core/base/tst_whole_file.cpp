@@ -96,7 +96,7 @@ private slots:
         QVERIFY(isSameFile(at("c"), at("d")));
         QVERIFY(isSameFile(at("c"), at("folder") / ".." / "c"));
         QVERIFY(!isSameFile(at("c"), at("b")));
-        // Not there yet.
+        // Files that do not exist yet are compared by their paths.
         QVERIFY(isSameFile(at("new"), at("folder") / ".." / "new"));
         QVERIFY(!isSameFile(at("new"), at("newer")));
         QVERIFY(isSameFile("new", std::filesystem::current_path() / "new"));

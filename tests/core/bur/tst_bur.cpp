@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kSamples = 20000;
 
-/// A tapered bur, of which tests change lines: line 3 is its material, line 5 its flat end.
+/// A tapered bur whose lines the tests change: line 3 is its material, line 5 its flat end.
 const std::string kTapered = "bur mine\n"
                              "shape tapered\n"
                              "material carbide\n"
@@ -31,7 +31,7 @@ const std::string kTapered = "bur mine\n"
                              "line 0.6 4.4844\n"
                              "end\n";
 
-/// The lowest height of the written profile over a radius, by the chords of its outline.
+/// Returns the lowest height of the written profile at a radius, along the chords of its outline.
 double lowestOfOutline(const Bur& bur, double radius)
 {
     double lowest = 1.0e9;
@@ -48,7 +48,7 @@ double lowestOfOutline(const Bur& bur, double radius)
     return lowest;
 }
 
-/// "3.8", "0.92": at least one decimal, at most two.
+/// Formats a number with at least one and at most two decimals: "3.8", "0.92".
 QString decimals(double value)
 {
     QString text = QString::number(value, 'f', 2);
@@ -57,7 +57,7 @@ QString decimals(double value)
     return text;
 }
 
-/// "ball", "upright", "opens by 2.5° a side".
+/// Describes the side of a bur as the table in docs/burs.md does: "ball", "upright", "opens by 2.5° a side".
 QString sideOf(const Bur& bur)
 {
     const auto degrees = [](double run, double rise) {
@@ -75,7 +75,7 @@ QString sideOf(const Bur& bur)
                : QString("upright");
 }
 
-/// A row of the table in docs/burs.md.
+/// Returns the bur's row in the table of docs/burs.md.
 std::string rowOf(const Bur& bur)
 {
     const QString shape = QString::fromStdString(std::string(bur::shapeWord(bur.shape))).replace('-', ' ');
@@ -120,7 +120,7 @@ private slots:
             QTest::newRow(core::bur::burs()[k].id.c_str()) << k;
     }
 
-    /// Recordings name burs by index and replay to the bit.
+    /// Recordings refer to burs by index and must replay to the bit.
     void theFirstFourStayAsTheyAre()
     {
         const auto burs = core::bur::burs();
@@ -152,7 +152,7 @@ private slots:
                                         "place: append new ones at the end.")
                                     .arg(k + 1)
                                     .arg(kPlaces[k])));
-        // One place is left for a bur of the user.
+        // There is room for one more bur, from a user's file.
         QVERIFY(burs.size() < bur::kMostBurs);
     }
 
@@ -195,7 +195,7 @@ private slots:
             const double height = bur.undersideMm(radius);
             QVERIFY2(height >= before, "it never falls");
             const double chord = lowestOfOutline(bur, radius);
-            // A chord of an arc lies inside the head, and this far from the arc at most.
+            // A chord of an arc is inside the head, at most this far from the arc.
             const double apart = 4.0e-4 * bur.cornerMm + 1.0e-6;
             const double inside = bur.undersideMm(std::min(bur.headRadiusMm, radius + apart)) + apart;
             QVERIFY2(chord > height - 1.0e-6 && chord < inside,
@@ -206,8 +206,8 @@ private slots:
 
     void theMaskIsTheSlowObviousSearch_data() { allBurs_data(); }
 
-    /// Where the bur stands on a slope, how far it reaches at a height and how steep it is there, against a dense
-    /// sampling of the underside.
+    /// Compares the height of the bur on a slope, its reach at a height and its steepness there with a dense sampling
+    /// of the underside.
     void theMaskIsTheSlowObviousSearch()
     {
         QFETCH(std::size_t, index);
@@ -244,7 +244,7 @@ private slots:
 
     void whatCutsIsTheProfile_data() { allBurs_data(); }
 
-    /// What contact and cutting compute, in single precision, lies on the profile.
+    /// The heights that contact and cutting compute in single precision are on the profile.
     void whatCutsIsTheProfile()
     {
         QFETCH(std::size_t, index);
@@ -260,7 +260,7 @@ private slots:
             const float under = contact::underAt(r2, head);
             QVERIFY2(under >= before, "it never falls");
             before = under;
-            // A float's step of the radius is more in height where the side is steep.
+            // Where the side is steep, the smallest step of a float radius is a larger step in height.
             const double low = bur.undersideMm(std::max(0.0, radius - 2.0e-7));
             const double high = bur.undersideMm(std::min(bur.headRadiusMm, radius + 2.0e-7));
             QVERIFY2(under > low - 2.0e-6 && under < high + 2.0e-6,

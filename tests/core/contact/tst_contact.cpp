@@ -41,7 +41,7 @@ struct Scene
     glm::dvec3 update(const glm::dvec3& device) { return method->update(tooth, device); }
 };
 
-/// Returns whether the bur at the anchor is clear of every column, which it may be above or below.
+/// Returns whether the bur at the anchor penetrates no column. The bur may be above or below the columns.
 bool standsClear(contact::LiveTooth& tooth, const glm::dvec3& anchor)
 {
     const glm::dvec2 at(anchor);
@@ -50,11 +50,11 @@ bool standsClear(contact::LiveTooth& tooth, const glm::dvec3& anchor)
            (anchor.z >= room.floorMm - 1.0e-4 && anchor.z <= room.roofMm + 1.0e-4);
 }
 
-/// A floating plate that is 1 mm thick, so that its underside is an overhang.
+/// A plate, 1 mm thick, with air below it, so that its underside is an overhang.
 const support::Block kPlate{.bottomMm = -1.0, .topMm = [](double x, double) { return x > 0.0 ? 0.0 : std::nan(""); }};
 
-/// Largest distance of a method's anchor from where geometry puts a ball pushed 0.4 mm into a plane, in micrometres,
-/// over a slide along and across it at 20 mm/s.
+/// Slides a ball along and across a plane at 20 mm/s, pushed 0.4 mm into it. Returns the largest distance of a method's
+/// anchor from the exact position, micrometres.
 double worstOnPlaneUm(const char* method, double degrees)
 {
     const double slope = std::tan(degrees * kDegree);
@@ -77,7 +77,8 @@ double worstOnPlaneUm(const char* method, double degrees)
     return 1000.0 * worst;
 }
 
-/// How far past the middle of a wall two cells thick a method lets the bur get when pushed across with 3.9 N (2 N/mm).
+/// Pushes the bur across a wall two cells thick with 3.9 N (2 N/mm). Returns how far past the middle of the wall it
+/// gets, mm.
 double crossedMm(const char* method)
 {
     Scene scene(support::blockTooth({.topMm = [](double x, double) { return std::abs(x) < 0.08 ? 0.0 : -3.0; }}), 0,
@@ -88,7 +89,8 @@ double crossedMm(const char* method)
     return anchor.x;
 }
 
-/// Seconds a mm2 that the leathery and the firm decay between two heights take longer than soft decay would.
+/// Returns how much longer the leathery and the firm decay between two heights take to cut than soft decay would, in
+/// seconds per mm2.
 double harderSeconds(const terrain::ColumnLayers& column, float low, float high, const contact::RemovalTimes& times)
 {
     const terrain::DecayZones zones = terrain::decayZonesOf(column);
@@ -111,7 +113,7 @@ private slots:
         Rng rng(11);
         const auto anatomy = support::syntheticMolar(150);
         terrain::Tooth thin(anatomy);
-        for (std::size_t k = 0; k < thin.top.size(); k += 7)  // bottoms and holes are met too
+        for (std::size_t k = 0; k < thin.top.size(); k += 7)  // so that the bur also meets bottoms and holes
             if (thin.isSolid(k))
                 thin.bottom[k] = thin.top[k] - 0.2F;
         const double cell = anatomy->grid.cellMm;
@@ -222,12 +224,12 @@ private slots:
                     QCOMPARE(beneath[k].value, plain.lowestAtPoint(bottom, mask, 0.07, u, v, {})[k].value);
                     QCOMPARE(above[k].value, plain.highestAtPoint(top, mask, 0.07, u, v, {})[k].value);
                 }
-                // Blocks that are left out hold nothing that counts.
+                // The skipped blocks contain no higher column.
                 const contact::Peak peak = highestOf(above);
                 QCOMPARE(peak.value, highestOf(fast.highestAtPoint(topAlone, mask, 0.07, u, v, {})).value);
                 if (peak.i < 0)
                     continue;
-                // A peak that is remembered must answer as the whole search does, and no column may top it.
+                // A cached peak must have the same value as in the full search, and no column may be higher.
                 const contact::BurHead head = contact::headAt(mask, 0.07, u, v);
                 const auto heightOver = [&](int p, int q) {
                     return contact::valueOver<contact::Side::Above>(tooth.tooth().top[tooth.grid().index(p, q)], p,
@@ -246,7 +248,7 @@ private slots:
         const auto anatomy = support::syntheticMolar(150);
         const terrain::Grid& grid = anatomy->grid;
         terrain::Tooth begun(anatomy);
-        for (std::size_t k = 0; k < begun.top.size(); ++k)  // a roof to be under, with holes in it
+        for (std::size_t k = 0; k < begun.top.size(); ++k)  // a roof with holes above the bur
             if (begun.isSolid(k) && rng.below(30) != 0)
                 begun.bottom[k] = std::max(begun.bottom[k], begun.top[k] - static_cast<float>(rng.uniform(0.3, 2.0)));
         contact::LiveTooth tooth(begun);
@@ -319,7 +321,8 @@ private slots:
                 for (int q = 0; q < 150; ++q)
                     for (int p = 0; p < 150; ++p) {
                         const double r = 0.07 * std::hypot(p - i, q - j);
-                        // Half a cell less than the rim: there the mask is supersampled and answers a little lower.
+                        // Leaves out half a cell at the rim, where the mask is supersampled and gives a slightly lower
+                        // height.
                         if (r <= bur.headRadiusMm - 0.05)
                             slow = std::max(slow, static_cast<double>(tooth.tooth().top[tooth.grid().index(p, q)]) -
                                                       bur.undersideMm(r));
@@ -358,7 +361,7 @@ private slots:
 
     void flatBurStandsOnItsRim()
     {
-        // The end of bur 57 is a disc of 0.5 mm with a corner of 0.1 mm: on a plane it stands on its corner.
+        // The end of bur 57 is a disc of 0.5 mm radius with a corner of 0.1 mm. On a slope it rests on its corner.
         QFETCH(double, degrees);
         QFETCH(double, turn);
         const double slope = std::tan(degrees * kDegree);
@@ -377,7 +380,7 @@ private slots:
 
     void meetsAWallThatEndsTheGrid()
     {
-        // A tooth that fills its grid to the edge, and a ball that comes from outside the grid.
+        // A tooth that fills its grid to the edge. The ball comes from outside the grid.
         const auto anatomy = support::makeBlock({.bottomMm = -8.0});
         const double wall = anatomy->grid.nodeMm(anatomy->grid.side - 1, 0).x;
         glm::dvec3 device(wall + 2.0, 0.0, -3.0);
@@ -428,13 +431,13 @@ private slots:
     {
         QVERIFY(between(crossedMm("continuous"), -1.0e9, -0.4));
         QVERIFY(crossedMm("lattice") < -0.3);
-        // The known failure: past the middle the nearest normal points the other way.
+        // The known weakness of the penalty method: past the middle, the nearest normal points to the other side.
         QVERIFY(between(crossedMm("penalty"), 0.4, 1.0e9));
     }
 
     void burFitsThePocketItMade()
     {
-        // A hole exactly as wide as the bur, its axis between nodes: no node's clearance sees it.
+        // A hole exactly as wide as the bur, with its axis between nodes, so that the clearance of no node shows it.
         const glm::dvec2 axis(0.021, -0.013);
         Scene scene(support::lowered(support::makeBlock({}),
                                      [&](glm::dvec2 at) { return glm::length(at - axis) <= 0.5 ? -1.5 : 1.0; }),
@@ -443,7 +446,7 @@ private slots:
         for (int tick = 0; tick < 300; ++tick)
             anchor = scene.update({axis.x, axis.y, std::max(1.0 - 0.02 * tick, -2.0)});
         QVERIFY(support::near(anchor.z, -1.5, 1.0e-3));
-        // And the walls hold it.
+        // The walls hold the bur.
         for (int tick = 0; tick < 100; ++tick)
             anchor = scene.update({axis.x + 0.5, axis.y, -1.6});
         QVERIFY(support::near(anchor.x, axis.x, 0.05));
@@ -466,7 +469,8 @@ private slots:
             anchor = scene.update({std::min(-1.0 + 0.01 * tick, 0.05), 0.0, -3.0});
         // The edge of the head is beneath the plate, though not the neck.
         QVERIFY(between(anchor.x, -0.25, 1.0e9));
-        // Pulled up it slides out along its tapered shoulder and only then rises: it never passes through the plate.
+        // Pulled up, the bur slides out along its tapered shoulder and only then rises. It never passes through the
+        // plate.
         for (int tick = 0; tick < 400; ++tick) {
             const glm::dvec3 before = anchor;
             anchor = scene.update({0.0, 0.0, std::min(-3.0 + 0.01 * tick, 0.5)});
@@ -482,20 +486,20 @@ private slots:
     {
         support::columns<std::size_t, double>("bur", "mmPerS");
         for (std::size_t bur = 0; bur < core::bur::burs().size(); ++bur)
-            if (core::bur::BurMask(core::bur::burs()[bur], 0.07).steepMm < 1.0)  // a rounder one climbs up the disc
+            if (core::bur::BurMask(core::bur::burs()[bur], 0.07).steepMm < 1.0)  // a rounder bur climbs onto the disc
                 for (const double mmPerS : {20.0, 100.0})
                     QTest::addRow("bur %zu, %g mm/s", bur, mmPerS) << bur << mmPerS;
     }
 
-    /// A disc of a tooth, 8 mm wide and 3 mm thick: the bur goes round it, pushed in by 0.4 mm, as exactly as along a
-    /// wall.
+    /// Moves the bur around a disc, 8 mm wide and 3 mm thick, pushed in by 0.4 mm. It must follow the rim as exactly as
+    /// a straight wall.
     void theRimOfAToothIsRound()
     {
         QFETCH(std::size_t, bur);
         QFETCH(double, mmPerS);
         constexpr double kDiscMm = 4.0;
         constexpr double kCellUm = 70.0;
-        // Its edge is met as high above the tip as the disc stands out there.
+        // The bur meets the edge at the height where the disc is.
         const double right = kDiscMm + core::bur::BurMask(core::bur::burs()[bur], 0.07).reachAt(1.0);
         Scene scene(
             support::blockTooth(
@@ -526,12 +530,12 @@ private slots:
         }
         const QString told =
             QString("rms %1 um, most %2 um, jump %3 N").arg(std::sqrt(sum2 / count)).arg(most).arg(jump);
-        // At 100 mm/s the path itself goes on by 0.1 mm a tick, more than a cell, which is 0.2 N.
+        // At 100 mm/s the bur moves 0.1 mm per tick, more than a cell, which is 0.2 N.
         const bool isFast = mmPerS > 50.0;
         constexpr double kThinMm = 0.35;
         if (core::bur::burs()[bur].hasCone() || core::bur::burs()[bur].headRadiusMm < kThinMm) {
-            // A tapered side has no plane of its own, and a thin bur few columns around it: they feel more of the
-            // stair, and a fast hand gets ahead of them at a column now and then.
+            // A tapered side has no vertical plane, and few columns surround a thin bur. Such burs feel more of the
+            // steps between columns, and a fast hand sometimes gets ahead of them at a column.
             QVERIFY2(std::sqrt(sum2 / count) < (isFast ? 110.0 : 30.0) && most < (isFast ? 420.0 : 110.0),
                      qPrintable(told));
             QVERIFY2(jump < (isFast ? 0.9 : 0.2), qPrintable(told));
@@ -557,8 +561,7 @@ private slots:
         contact::LiveTooth tooth{terrain::Tooth(built.anatomy)};
         tooth.selectBur(static_cast<std::size_t>(bur));
         const double highest = tooth.floorMm() + core::bur::kChuckMm;
-        // Round the crown at 20 mm/s, 0.3 mm inside the outline that the bur has at that height, smoothed over 9
-        // degrees.
+        // Moves around the crown at 20 mm/s, 0.3 mm inside the bur's outline at that height, smoothed over 9 degrees.
         constexpr int kDegrees = 360;
         int ticks = 0;
         int clicks = 0;
@@ -600,14 +603,15 @@ private slots:
             }
         }
         const QString found = QStringLiteral("%1 of %2 ticks, %3 N").arg(clicks).arg(ticks).arg(worstN);
-        // Where steep ground goes over into the upright rim a step of its columns is left, 1 tick in 100.
+        // Where a steep slope meets the upright rim, a step between columns remains in 1 of 100 ticks.
         QVERIFY2(clicks < ticks / 100, qPrintable(found));
         QVERIFY2(worstN < 1.0, qPrintable(found));
     }
 
     void noWalkLeadsIntoATooth_data() { support::rows<int>("fdi", {31, 36, 21, 24}); }
 
-    /// The hand moves around and through a tooth at 5 to 300 mm/s and stays within 1 mm of the bur.
+    /// The hand moves around and through a tooth at 5 to 300 mm/s and stays within 1 mm of the bur. The bur must never
+    /// get into the tooth.
     void noWalkLeadsIntoATooth()
     {
         QFETCH(int, fdi);
@@ -645,7 +649,7 @@ private slots:
         }
     }
 
-    /// The head of bur 330 pulled up under the edge of a plate: its shoulder meets the plate's bottom, column by
+    /// Pulls the head of bur 330 up under the edge of a plate. Its shoulder meets the bottom of the plate, column by
     /// column.
     void theShoulderStopsBeneathAnOverhang()
     {
@@ -656,7 +660,7 @@ private slots:
             glm::dvec3 anchor{};
             for (int tick = 0; tick < 400; ++tick)
                 anchor = scene.update({x, 0.0, std::min(-4.0 + 0.01 * tick, -2.45)});
-            // The plate's edge lies half a cell before its first nodes: so much less is under it.
+            // The edge of the plate is half a cell before its first nodes, so that much less of the head is under it.
             const double highest = -1.0 - bur.upperSideMm(std::min(bur.headRadiusMm, 0.035 - x));
             QVERIFY2(anchor.z < highest + 0.05 && anchor.z > -2.7,
                      qPrintable(QString("at %1: %2, may be %3").arg(x).arg(anchor.z).arg(highest)));
@@ -664,7 +668,8 @@ private slots:
         }
     }
 
-    /// A hole 0.9 mm wide through a plate 1 mm thick: bur 330, 0.8 mm wide, goes through, and its wall holds it.
+    /// Bur 330, 0.8 mm wide, passes through a hole 0.9 mm wide in a plate 1 mm thick, and the wall of the hole holds
+    /// it.
     void aPerforationLetsTheBurThroughAndHoldsIt()
     {
         constexpr double kHoleMm = 0.45;
@@ -678,7 +683,7 @@ private slots:
         for (int tick = 0; tick < 400; ++tick)
             anchor = scene.update({0.0, 0.0, 1.0 - 0.01 * tick});
         QVERIFY(support::near(anchor.z, -2.99, 1.0e-6));
-        // Half-way through, with head on both sides of the plate: pushed 0.5 mm to every side.
+        // Half-way through, with parts of the head above and below the plate, the bur is pushed 0.5 mm to every side.
         for (int tick = 0; tick < 300; ++tick)
             anchor = scene.update({0.0, 0.0, std::min(-2.99 + 0.01 * tick, -1.2)});
         glm::dvec3 before = anchor;
@@ -692,7 +697,7 @@ private slots:
             QVERIFY2(2.0 * glm::length(anchor - before) < 0.5, "jump");
             before = anchor;
         }
-        // And out again the way it came.
+        // Pulls the bur out the way it went in.
         for (int tick = 0; tick < 400; ++tick)
             anchor = scene.update({0.0, 0.0, std::min(-1.2 + 0.01 * tick, 1.0)});
         QCOMPARE(anchor.z, 1.0);

@@ -29,7 +29,7 @@ double length(const glm::dvec3& v)
     return std::sqrt(glm::dot(v, v));
 }
 
-/// The force when the hand has rested at a place for some ticks.
+/// Returns the force after the hand has rested at a position for some ticks.
 glm::dvec3 rested(contact::ForceLaw& law, const glm::dvec3& hand, const glm::dvec3& anchor = kSurface, int ticks = 400)
 {
     glm::dvec3 force(0.0);
@@ -38,13 +38,14 @@ glm::dvec3 rested(contact::ForceLaw& law, const glm::dvec3& hand, const glm::dve
     return force;
 }
 
-/// Where a device with encoders tells that it is.
+/// Returns a position as the encoders of a device report it.
 double counted(double mm)
 {
     return 0.05 * std::round(mm / 0.05);
 }
 
-/// A hand that goes evenly as it is pulled, `mmPerSPerN`, from `at`, for `ticks`; the largest jump of the force.
+/// A hand that moves at `mmPerSPerN` times the force, beginning at `at`. Records the largest force and the largest jump
+/// of the force.
 struct LedHand
 {
     glm::dvec3 at;
@@ -81,11 +82,11 @@ private slots:
             return contact::check(settings).has_value();
         };
         const double nan = std::numeric_limits<double>::quiet_NaN();
-        QVERIFY(isSound(30.0, 0.0, 0.0));    // as shipped
+        QVERIFY(isSound(30.0, 0.0, 0.0));    // the default settings
         QVERIFY(isSound(30.0, 40.0, 0.05));  // Falcon
         QVERIFY(!isSound(101.0, 0.0, 0.0));
-        QVERIFY(!isSound(-1.0, 0.0, 0.0));  // a damper that drives
-        QVERIFY(!isSound(30.0, 9.0, 0.0));  // smaller than the way home
+        QVERIFY(!isSound(-1.0, 0.0, 0.0));  // negative damping, which adds energy
+        QVERIFY(!isSound(30.0, 9.0, 0.0));  // less than the way home
         QVERIFY(!isSound(30.0, nan, 0.0));
         QVERIFY(!isSound(30.0, 40.0, 0.3));
         QVERIFY(!isSound(30.0, 40.0, nan));
@@ -99,7 +100,7 @@ private slots:
 
     void fastHandIsDampedMoreThanASlowOne()
     {
-        // What is pushed back with beyond the spring, a mm/s: from 1 mm above the tooth to 1 mm inside.
+        // Returns the damping force per speed, N s/m: the hand moves from 1 mm above the tooth to 1 mm inside.
         const auto damping = [](double mmPerS) {
             contact::ForceSettings settings;
             settings.slewNPerS = 1.0e6;
@@ -119,7 +120,8 @@ private slots:
 
     void stiffSpringIsDampedStraightIn()
     {
-        // Of 7.5 N/mm, 0.4 mm inside: what a hand of 100 mm/s is pushed back with beyond spring and friction, N.
+        // Returns the force beyond spring and friction, N, on a hand that moves at 100 mm/s and is 0.4 mm inside a
+        // surface of 7.5 N/mm.
         const auto beyond = [](const glm::dvec3& mmPerS) {
             contact::ForceSettings settings;
             settings.stiffnessNPerMm = 7.5;
@@ -135,17 +137,18 @@ private slots:
             }
             return force.z - 7.5 * 0.4;
         };
-        // Three times as stiff as 2.5 N/mm: twice 30 N s/m more, and a third of it on the pace that is known late.
+        // Three times as stiff as 2.5 N/mm: twice 30 N s/m more, and a third of the damping uses the velocity that is
+        // known late.
         QVERIFY(between(beyond({0.0, 0.0, -100.0}), 6.0, 7.5));
         QVERIFY(between(beyond({100.0, 0.0, 0.0}), -1.0e-6, 1.0e-6));
-        // What leaves is not held back: the damper takes from the spring, and no more than there is.
+        // A hand that leaves is not held back: the damper reduces the spring's force, at most to zero.
         const double out = beyond({0.0, 0.0, 40.0});
         QVERIFY2(out < 0.0 && out >= -3.0, qPrintable(QString::number(out)));
     }
 
     void groundThatVanishesIsFeltOverMilliseconds()
     {
-        // docs/facts/haptics.md, section 4, scene 8: pressed on with 2 N, then the support is gone in a tick.
+        // docs/facts/haptics.md, section 4, scene 8: the hand presses with 2 N, then the ground vanishes in one tick.
         contact::ForceLaw law({});
         const glm::dvec3 hand(0.0, 0.0, -1.0);
         glm::dvec3 force = rested(law, hand);
@@ -161,7 +164,8 @@ private slots:
 
     void anAnchorThatSlipsIsNoMotionToBeDamped()
     {
-        // A bur that slips up a step under a hand that does not move: no kick beyond what the spring turns by.
+        // The bur slips up a step while the hand does not move. The force must not jump by more than the rotation of
+        // the spring.
         contact::ForceLaw law({});
         const glm::dvec3 hand(0.0, 0.0, -0.5);
         glm::dvec3 force = rested(law, hand, {-0.22, 0.0, 0.0});
@@ -174,8 +178,9 @@ private slots:
 
     void aSpringThatTurnsInAGrooveIsNoImpact()
     {
-        // A hand 0.3 mm below the sides of a groove of 45 degrees, from one to the other with 50 mm/s: the anchor comes
-        // down one side, rests on the ground and goes up the other. How much the force changes beyond the spring's own.
+        // A hand 0.3 mm below the sides of a groove of 45 degrees moves from one side to the other at 50 mm/s: the
+        // anchor comes down one side, rests on the ground and goes up the other. Measures how much the force changes
+        // beyond the spring's own change.
         contact::ForceLaw law({});
         const glm::dvec3 sides[] = {glm::normalize(glm::dvec3(1.0, 0.0, 1.0)),
                                     glm::normalize(glm::dvec3(-1.0, 0.0, 1.0))};
@@ -209,7 +214,8 @@ private slots:
 
     void unequalGainsMakeEnergyOnASlope()
     {
-        // Rounds into a plane of 45 degrees and out of it, without friction or damping: what the hand gets each time.
+        // Moves in circles into and out of a plane of 45 degrees, without friction or damping. Returns the energy that
+        // the hand gains each time.
         const auto given = [](double lateral, double vertical) {
             contact::ForceSettings settings;
             settings.lateralGain = lateral;
@@ -245,7 +251,8 @@ private slots:
 
     void anAnchorThatHangsForATickIsNoWall()
     {
-        // Brushed at 120 mm/s over ground with an edge on which the anchor hangs for a tick: no click.
+        // Brushes at 120 mm/s over ground with an edge on which the anchor sticks for one tick. The hand must feel no
+        // click.
         contact::ForceLaw law({});
         glm::dvec3 force(0.0);
         for (int n = 0; n < 200; ++n) {
@@ -264,7 +271,7 @@ private slots:
         const glm::dvec3 hand(0.0, 0.0, -1.0);
         rested(law, hand);
         law.drop();
-        law.update({0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}, kTickS);  // a tick in the air
+        law.update({0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}, kTickS);  // one tick in the air
         glm::dvec3 force(0.0);
         for (int n = 0; n < 50; ++n) {
             force = law.update(hand, kSurface, kTickS);
@@ -275,7 +282,7 @@ private slots:
 
     void paceOfCountsIsSteady()
     {
-        // 5 mm/s in counts of 0.05 mm: a backward difference says 0 or 50, and is 45 off.
+        // 5 mm/s in counts of 0.05 mm: a backward difference gives 0 or 50 mm/s, an error of up to 45.
         contact::VelocityEstimator meter;
         meter.restart(glm::dvec3(0.0));
         for (int n = 0; n < 400; ++n) {
@@ -283,7 +290,7 @@ private slots:
             if (n > 40)
                 QVERIFY(between(meter.mmPerS().x, 5.0 - 6.0, 5.0 + 6.0));
         }
-        // At rest on the edge of a count.
+        // At rest on the boundary between two counts.
         for (int n = 0; n < 400; ++n) {
             meter.add({2.0 + 0.05 * (n % 2), 0.0, 0.0}, kTickS);
             if (n > 40)
@@ -302,11 +309,11 @@ private slots:
 
     void provenPaceIsKnownSooner()
     {
-        // A swing of 0.15 mm with 20 Hz, as a stiff wall makes it: by how much is either pace late?
+        // An oscillation of 0.15 mm at 20 Hz, as at a stiff wall. Measures the delay of both velocities.
         constexpr double kRadPerS = 2.0 * std::numbers::pi * 20.0;
         contact::VelocityEstimator meter;
         meter.restart(glm::dvec3(0.0));
-        glm::dvec2 late(0.0);  // in phase with the pace and a quarter behind
+        glm::dvec2 late(0.0);  // in phase with the velocity, and a quarter period behind
         glm::dvec2 proven(0.0);
         for (int n = 1; n <= 1000; ++n) {
             const double turn = kRadPerS * kTickS * n;
@@ -321,7 +328,8 @@ private slots:
 
     void restAndCreepProveNoPace()
     {
-        // On the edge of a count of one arm, and at 5 mm/s: a backward difference says 45 mm/s.
+        // One arm is on the boundary between two counts, and the device moves at 5 mm/s: a backward difference gives 45
+        // mm/s.
         contact::VelocityEstimator meter;
         meter.restart(glm::dvec3(0.0));
         for (int n = 0; n < 100; ++n) {
@@ -333,11 +341,11 @@ private slots:
     void wallGrowsBeyondTheWorkArea()
     {
         contact::WorkArea area(40.0);
-        // A device that comes back beyond it is not thrown.
+        // The force is not sudden if the device is found beyond the boundary.
         QVERIFY(length(area.update({0.0, 45.0, 0.0}, kTickS)) < 0.05);
         for (int n = 0; n < 300; ++n)
             QCOMPARE(area.update({0.0, 39.9, 0.0}, kTickS), glm::dvec3(0.0));
-        QVERIFY(length(area.update({0.0, 42.0, 0.0}, kTickS)) <= 1.0);  // even a reading that leaps is no blow
+        QVERIFY(length(area.update({0.0, 42.0, 0.0}, kTickS)) <= 1.0);  // even if a reading jumps
         const glm::dvec3 force = area.update({0.0, 42.0, 0.0}, kTickS);
         QVERIFY(support::near(force.y, -2.0 * contact::WorkArea::kWallNPerMm, 0.02));
         QVERIFY(length(area.update({0.0, 60.0, 0.0}, kTickS)) <= contact::WorkArea::kWallMostN + 0.1);
@@ -354,7 +362,7 @@ private slots:
 
     void handThatLeftIsLedHome()
     {
-        // From beside the tooth, below its surface: up first.
+        // From a place beside the tooth and below its surface, the hand is led upwards first.
         contact::WorkArea area(40.0);
         LedHand hand{{39.0, 0.0, -8.0}};
         hand.follow(area, 1);
@@ -421,7 +429,7 @@ private slots:
 
     void vibrationHasNoMean()
     {
-        QFETCH(int, ticksIn50Ms);  // 250 Hz, nearly, to 4 kHz
+        QFETCH(int, ticksIn50Ms);  // about 250 Hz, to 4 kHz
         const double tickS = 0.05 / ticksIn50Ms;
         contact::BurVibration vibration(0.05);
         glm::dvec3 window(0.0);
@@ -433,7 +441,7 @@ private slots:
             window += force;
             square += glm::dot(force, force);
             if (n % ticksIn50Ms == 0) {
-                // Of four numbers, whatever the rate: a window of few ticks averages them over fewer.
+                // The sum is that of four numbers at any rate. A window of few ticks averages over fewer ticks.
                 QVERIFY(between(length(window) / ticksIn50Ms, -1.0, 0.3 / std::min(ticksIn50Ms, 50)));
                 window = glm::dvec3(0.0);
             }

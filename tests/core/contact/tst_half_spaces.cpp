@@ -19,7 +19,7 @@ private slots:
     void whatIsWithinStaysWhereItIs()
     {
         glm::dvec3 found{0.0};
-        QVERIFY(HalfSpaces().nearest({1.0, 2.0, 3.0}, found));  // nothing known is no limit
+        QVERIFY(HalfSpaces().nearest({1.0, 2.0, 3.0}, found));  // without half-spaces there is no limit
         QCOMPARE(found, glm::dvec3(1.0, 2.0, 3.0));
         HalfSpaces spaces;
         spaces.add({{0.0, 0.0, 1.0}, -1.0});
@@ -38,7 +38,7 @@ private slots:
         QVERIFY(glm::length(found - glm::dvec3(-0.5, -0.25, 0.0)) < 1.0e-12);
     }
 
-    /// Dykstra's projections in turn: slow, and written another way.
+    /// Compares with Dykstra's alternating projections, a slow and independent method.
     void agreesWithASlowProjection()
     {
         core::Rng rng(5);
@@ -47,7 +47,7 @@ private slots:
             HalfSpaces spaces;
             std::vector<std::pair<glm::dvec3, double>> planes;
             for (int k = 0; k < count; ++k) {
-                // All of them hold at the origin, as planes that a free bur has met do.
+                // All half-spaces contain the origin, as the planes that a free bur has met do.
                 const glm::dvec3 normal =
                     glm::normalize(glm::dvec3(rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0), rng.uniform(0.1, 1.0)));
                 planes.emplace_back(normal, rng.uniform(-0.3, 0.0));

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kWallMm = 3.0;
 
-/// A floor at 0 with a wall where `across` is positive.
+/// Returns a floor at 0 with a wall where `across` is positive.
 LiveTooth wallAcross(glm::dvec2 across, glm::dvec2 shift = {0.0, 0.0})
 {
     return LiveTooth{core::terrain::Tooth(
@@ -35,7 +35,7 @@ glm::dvec2 towards(double degrees)
     return {std::cos(degrees * kDegree), std::sin(degrees * kDegree)};
 }
 
-/// How far along `across` a bur on the floor gets, mm, from where it is clear of the wall.
+/// Returns how far along `across` a bur on the floor gets, mm, from where it is clear of the wall.
 double stopsAt(LiveTooth& tooth, glm::dvec2 across, double aside, Edges edges)
 {
     const glm::dvec2 along(-across.y, across.x);
@@ -56,7 +56,7 @@ class TestUprightSides : public QObject
 private slots:
     void aSideStandsHalfACellBeforeItsNodes()
     {
-        // Even a side: the nodes nearest to the wall at 0 lie half a cell before and behind it.
+        // A straight side: the nodes nearest to the wall at 0 are half a cell before and behind it.
         LiveTooth tooth = wallAcross({1.0, 0.0});
         QVERIFY(std::abs(stopsAt(tooth, {1.0, 0.0}, 0.0, Edges::Sides) + 0.5) < 1.0e-5);
         QVERIFY(std::abs(stopsAt(tooth, {1.0, 0.0}, 0.0, Edges::Columns) + 0.5 - 0.035) < 2.0e-3);
@@ -103,7 +103,7 @@ private slots:
         }
     }
 
-    /// Cut ground is its columns: where a bur has been it can be again, at the top edge of a wall as anywhere.
+    /// In cut ground the columns count: a bur can return to any place where it has cut, also at the top edge of a wall.
     void thePocketOfABurHoldsTheBur()
     {
         LiveTooth tooth = wallAcross({1.0, 0.0});
@@ -155,15 +155,15 @@ private slots:
 
     void aBurGoesRoundATooth_data() { support::rows<int, int>("fdi", {36, 21}, "side", {100, 150, 300}); }
 
-    /// At all heights of the crown, beside it and under its overhang, the hand 0.1 to 0.5 mm inside: no bur stays
-    /// behind.
+    /// The hand is 0.1 to 0.5 mm inside the tooth, at all heights of the crown, beside it and under its overhang. No
+    /// bur falls behind.
     void aBurGoesRoundATooth()
     {
         QFETCH(int, fdi);
         QFETCH(int, side);
         LiveTooth tooth{core::terrain::Tooth(support::builtTooth(fdi, side))};
         tooth.selectBur(1);
-        // The outline, as a radius over the angle, made smooth.
+        // The outline as a smoothed radius over the angle.
         constexpr int kAngles = 360;
         std::array<double, kAngles> outline{};
         for (int k = 0; k < kAngles; ++k)
@@ -190,7 +190,7 @@ private slots:
                     const glm::dvec3 device(towards(degrees) * (radiusAt(degrees) + radius - in), z);
                     most = std::max(most, glm::distance(contact->update(tooth, device), device));
                 }
-                // What the outline was made smooth by, and a cell or two for a way round a column.
+                // The tolerance is the smoothing of the outline and a cell or two for a detour around a column.
                 QVERIFY2(most < depth + 0.6,
                          qPrintable(QString("z %1, %2 mm in: %3 mm behind").arg(z).arg(depth).arg(most)));
             }

@@ -19,7 +19,8 @@ namespace {
 
 constexpr double kDeepMm = 1.0;
 
-/// Breaking off or not; a tooth that yields at once, so that a cut is where the path is.
+/// Returns settings for a tooth that yields at once, so that the cut is where the path is.
+/// @param on  whether thin fins break off
 core::servo::ServoSettings yielding(bool on)
 {
     core::servo::ServoSettings settings;
@@ -33,7 +34,7 @@ double sum(const terrain::PerMaterial& volumes)
     return volumes[0] + volumes[1] + volumes[2] + volumes[3];
 }
 
-/// A tooth after two trenches of a fissure bur, 1 mm deep and 2 mm long, with a fin between them.
+/// A tooth with two trenches of a fissure bur, 1 mm deep and 2 mm long, and a fin between them.
 struct TwoTrenches : support::Bench
 {
     TwoTrenches(const support::Block& block, double finMm, const core::servo::ServoSettings& settings)
@@ -49,7 +50,7 @@ struct TwoTrenches : support::Bench
             step({1.0, aside, 0.5});
         }
     }
-    /// Height of the highest column on the middle line of the fin, away from its ends.
+    /// Returns the height of the highest column on the middle line of the fin, away from its ends.
     [[nodiscard]] double finTopMm() const
     {
         double highest = -100.0;
@@ -83,7 +84,7 @@ private slots:
         QFETCH(bool, breaks);
         const TwoTrenches cut({.side = side, .cellMm = 10.5 / side}, finMm, yielding(true));
         QCOMPARE(sum(cut.state().brokenMm3) > 0.0, breaks);
-        // What broke while the second trench was not yet down leaves a stump, which is not too high for its width.
+        // What broke while the second trench was still shallow leaves a stump that is not too high for its width.
         if (breaks)
             QVERIFY(between(cut.finTopMm(), -100.0, -0.5 * kDeepMm));
         else
@@ -92,7 +93,7 @@ private slots:
 
     void finAcrossTheLatticeBreaksToo()
     {
-        // Columns wide that a cut left at any angle: here every one whose middle lies in a strip.
+        // A fin that cuts leave at any angle consists of the columns whose middles are in a strip.
         for (const double degrees : {0.0, 20.0, 45.0, 70.0}) {
             const glm::dvec2 across(-std::sin(degrees * 0.017453292519943), std::cos(degrees * 0.017453292519943));
             contact::LiveTooth tooth{support::blockTooth({})};
@@ -120,14 +121,14 @@ private slots:
         const TwoTrenches without({}, 0.08, yielding(false));
         QCOMPARE(sum(without.state().brokenMm3), 0.0);
         QCOMPARE(without.finTopMm(), 0.0);
-        // What came off is what the maps lost, and what broke is in it.
+        // The removed volume is the change of the maps, and includes the broken volume.
         const double lost = sum(terrain::removedVolumes(with.tooth->tooth()));
         QVERIFY(between(sum(with.state().removedMm3) - lost, -1.0e-4, 1.0e-4));
         const double more = lost - sum(terrain::removedVolumes(without.tooth->tooth()));
-        // The sliver before the bur's round front breaks as well: the bur would have cut it a little later.
+        // The sliver before the bur's round front breaks as well. The bur would have cut it a little later.
         QVERIFY(more > 0.15);
         QVERIFY(between(sum(with.state().brokenMm3), 0.9 * more, 2.0 * more));
-        // What the bur has left alone without the rule is left alone with it, but for the fin.
+        // Columns that stay uncut without the rule also stay uncut with it, except in the fin.
         const std::vector<float>& top = with.tooth->tooth().top;
         support::eachNode(with.tooth->grid(), [&](std::size_t k, const glm::dvec2& at) {
             if (std::abs(at.y) > 0.1 && without.tooth->tooth().top[k] == 0.0F)
@@ -137,7 +138,7 @@ private slots:
 
     void cuspDoesNotBreak()
     {
-        // A cusp of 65 degrees between two trenches that cut its flanks away, 0.5 mm apart at its foot.
+        // A cusp of 65 degrees between two trenches that cut its flanks away, 0.5 mm apart at its base.
         const TwoTrenches cut(
             {.topMm = [](double x, double y) { return std::max(-2.0, -2.1 * std::sqrt(x * x + y * y)); }}, 0.5,
             yielding(true));

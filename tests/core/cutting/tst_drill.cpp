@@ -30,7 +30,7 @@ constexpr std::size_t kDentin = 2;
 const support::Block kDentinBlock{.dejMm = 10.0};
 const support::Block kCariesBlock{.cariesFloorMm = -100.0};
 
-/// Presses straight down with a constant force for some seconds and returns what was removed, all materials together.
+/// Presses straight down with a constant force for some seconds and returns the removed volume of all materials.
 double plunge(const support::Block& block, const char* bur, double newtons, double seconds,
               const core::servo::ServoSettings& settings = {})
 {
@@ -72,8 +72,8 @@ private slots:
 
     void brushLeavesNoMark()
     {
-        // Dentists, 2011: an accidental brush leaves no mark. 0.1 N at 100 mm/s; 0.3 N for 20 ms, in passing and on the
-        // spot.
+        // Dentists, 2011: an accidental brush leaves no mark. The brushes have 0.1 N at 100 mm/s, and 0.3 N for 20 ms,
+        // moving and at rest.
         QFETCH(QString, bur);
         struct Brush
         {
@@ -101,8 +101,8 @@ private slots:
 
     void rateIsLinearInForce()
     {
-        // About 1 N: the torque of the load bends the line by less than one can feel, 7 to 10 % of the force
-        // (docs/facts/haptics.md, section 7).
+        // The bur runs at about 1 N. Its slowing under load bends the line by less than a user can feel, 7 to 10 % of
+        // the force (docs/facts/haptics.md, section 7).
         const std::vector<double> newtons{0.5, 0.75, 1.0, 1.25, 1.5};
         std::vector<double> rates;
         double meanRate = 0.0;
@@ -116,13 +116,13 @@ private slots:
             const double line = meanRate + slope * (newtons[k] - 1.0);
             QVERIFY(between((rates[k] - line) / rates[2], -0.03, 0.03));
         }
-        // S (F - F0), S less when a flat end is pushed along the axis: 0.40 of 0.7 mm3/(N s) in enamel.
+        // The rate is S (F - F0). S is less when a flat end is pushed along the axis: 0.40 of 0.7 mm3/(N s) in enamel.
         QVERIFY(between(rates[2] - 0.40 * 0.7 * 0.85, -0.01, 0.01));
     }
 
     void beyondTheFullLoadABurRemovesNoMore_data() { support::rows<QString>("bur", {"2", "330", "57"}); }
 
-    /// Siegel & von Fraunhofer: in proportion to the load up to 1.5 N, then flat.
+    /// Siegel & von Fraunhofer: the rate is proportional to the load up to 1.5 N and constant above.
     void beyondTheFullLoadABurRemovesNoMore()
     {
         QFETCH(QString, bur);
@@ -138,7 +138,7 @@ private slots:
         QVERIFY(rate(2.0, before) > 1.1 * rate(1.5, before));
     }
 
-    /// Blades on the end of a fissure bur cut badly, a ball has them all over.
+    /// The end of a fissure bur has blades that cut badly. A round bur has blades all over.
     void flatEndsPlungeMoreSlowlyThanBalls()
     {
         for (const core::bur::Bur& bur : core::bur::burs())
@@ -197,7 +197,7 @@ private slots:
         const double slow = rate(settings::findHandpiece("low-speed").value(), 1.0);
         QVERIFY2(electric < turbine && slow < 0.12 * electric && slow > 0.0,
                  qPrintable(QString("%1, %2, %3 mm3").arg(turbine).arg(electric).arg(slow)));
-        // It holds its speed where the turbine nearly stalls.
+        // The motor holds its speed at a force at which the turbine nearly stalls.
         QVERIFY(rate(motor, 5.0) > rate(settings::Handpiece{}, 5.0));
         QVERIFY(!settings::findHandpiece("chisel"));
 
@@ -208,7 +208,8 @@ private slots:
 
     void ratesAreThoseOfTheTissues()
     {
-        // The sheet of docs/method.md: occlusal work with the side of a 330 at 1 N, mm3/s, and a plunge into enamel.
+        // The reference values of docs/method.md: occlusal work with the side of a 330 at 1 N, mm3/s, and a plunge into
+        // enamel.
         const auto rate = [](terrain::Material material) {
             lab::PaceTrial trial;
             trial.material = material;
@@ -229,7 +230,7 @@ private slots:
 
     void aNewtonCutsSteadily_data() { support::rows<QString>("bur", {"2", "330", "245", "57"}); }
 
-    /// Dentists, 2011: about 1 N cuts steadily. Each tenth of a second takes as much as the others.
+    /// Dentists, 2011: about 1 N cuts steadily. Every tenth of a second removes the same volume.
     void aNewtonCutsSteadily()
     {
         QFETCH(QString, bur);
@@ -261,7 +262,7 @@ private slots:
             anchor = bench.step({0.0, 0.0, anchor.z - 0.1}).anchorMm;
         const double bottom = anchor.z;
         QVERIFY(between(bottom, -8.0, -0.08));
-        // The walls hold: pushed 0.3 N sideways and pressed 0.3 N down, then while the hand only keeps its height.
+        // The walls hold the bur: the hand pushes 0.3 N sideways and 0.3 N down, then only keeps its height.
         for (int tick = 0; tick < 400; ++tick)
             anchor = bench.step({0.0, 0.15 * std::min(1.0, tick / 100.0), anchor.z - 0.15}).anchorMm;
         QVERIFY(between(anchor.y, -1.0, 0.12));
@@ -305,8 +306,8 @@ private slots:
 
     void pressedBurNeverStalls()
     {
-        // A bur that is pressed down with 3 N beside the bottom of a pit first slides there, then bores: it must
-        // not come to rest on ground that is felt between the nodes but has no column to cut.
+        // A bur that is pressed down with 3 N beside the bottom of a pit first slides down, then cuts into it. It must
+        // not come to rest where contact is felt between the nodes but no column can be cut.
         QFETCH(QString, method);
         QFETCH(int, side);
         QFETCH(int, bur);
@@ -331,8 +332,9 @@ private slots:
 
     void handpieceStopsTheBur()
     {
-        // Through a plate and far below it, then about beneath it: the bur goes as deep as it sticks out of its
-        // chuck, the crown carries the rest, and a bur that is down does not come up through the plate by itself.
+        // The bur goes through a plate and far below it, then moves around beneath it. It goes only as deep as it
+        // sticks out of its chuck, the crown bears the rest of the force, and the bur does not come up through the
+        // plate.
         const Bench bench(blockTooth({.bottomMm = -2.0}), "330");
         bench.step({0.0, 0.0, 0.5});
         for (int tick = 0; tick < 6000; ++tick)
@@ -359,8 +361,8 @@ private slots:
 
     void cutsInFromTheSideWithoutAJump()
     {
-        // In beneath the bulge the bur soon has floor under one side and overhang above the other. Whatever it
-        // cuts, a point that is pulled does not go away from where it is pulled to.
+        // Cutting in beneath the bulge, the bur soon has floor under one side and overhang above the other. Whatever it
+        // cuts, the anchor must not move away from the hand that pulls it.
         QFETCH(int, fdi);
         const auto built = teeth::buildTooth({fdi}, {});
         QVERIFY(built);
@@ -418,7 +420,8 @@ private slots:
 
     void feedIsThatOfAFlatBur_data() { support::rows<double>("newtons", {0.3, 0.6, 1.0, 1.5, 2.5}); }
 
-    /// What the page of presets draws is what the drill does: a straight fissure bur sinks into enamel.
+    /// The presets page draws the rate at which a straight fissure bur sinks into enamel. It must be the rate of the
+    /// drill.
     void feedIsThatOfAFlatBur()
     {
         QFETCH(double, newtons);

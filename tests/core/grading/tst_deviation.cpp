@@ -43,7 +43,7 @@ Surface turnedSurface(const Surface& surface, double degrees)
     return [=](glm::dvec2 p) { return surface({c * p.x + s * p.y, c * p.y - s * p.x}); };
 }
 
-/// Returns the surface, deeper by another surface wherever it is cut.
+/// Returns the surface, lowered by `byMm` wherever it is cut.
 Surface changed(const Surface& surface, const Surface& byMm)
 {
     return [=](glm::dvec2 p) {
@@ -57,7 +57,8 @@ Surface movedBy(const Surface& surface, glm::dvec3 by)
     return changed([=](glm::dvec2 p) { return surface(p - glm::dvec2(by)); }, [=](glm::dvec2) { return by.z; });
 }
 
-/// A cavity whose walls come down from its edge `inMm` away at an angle from upright, to a level floor.
+/// Returns the height `inMm` inside the edge of a cavity with a level floor. The walls lean by `degrees` from the
+/// vertical.
 double leaning(double inMm, double depth, double degrees)
 {
     if (inMm <= 0.0)
@@ -77,7 +78,7 @@ Surface round(double radius, double depth, double degrees)
     return [=](glm::dvec2 p) { return leaning(radius - glm::length(p), depth, degrees); };
 }
 
-/// A ramp from 0 at x = -length / 2 down to -depth at the other end, which is upright.
+/// Returns a ramp from 0 at x = -length / 2 down to -depth at the other end, which is vertical.
 Surface wedge(double length, double width, double depth)
 {
     return [=](glm::dvec2 p) {
@@ -86,7 +87,7 @@ Surface wedge(double length, double width, double depth)
     };
 }
 
-/// A trench with round ends and level floor; its sides lean.
+/// Returns a trench with round ends, a level floor and leaning sides.
 Surface trench(double length, double radius, double depth, double degrees)
 {
     return [=](glm::dvec2 p) {
@@ -114,7 +115,7 @@ double trenchMm3(double length, double radius, double depth, double degrees)
     return roundMm3(radius, depth, degrees) + length * depth * (radius + foot);
 }
 
-/// A lie of the lattice under the scene.
+/// Returns a slab on a grid that is shifted under the scene.
 std::shared_ptr<const terrain::ToothAnatomy> slabOf(int side, glm::dvec2 shiftInCells = {0.0, 0.0},
                                                     double dejMm = -100.0)
 {
@@ -122,7 +123,7 @@ std::shared_ptr<const terrain::ToothAnatomy> slabOf(int side, glm::dvec2 shiftIn
     return support::makeBlock({.side = side, .cellMm = cellMm, .shiftMm = shiftInCells * cellMm, .dejMm = dejMm});
 }
 
-/// What is lowered is Floor where it is level with its lowest, else Wall.
+/// Returns the surface as a preparation: lowered columns are Floor where they are at the lowest height, otherwise Wall.
 Preparation ideal(const terrain::ToothAnatomy& anatomy, const Surface& surface)
 {
     Preparation preparation;
@@ -159,7 +160,7 @@ std::vector<glm::dvec2> lies(int count)
     return all;
 }
 
-/// Heights after a bur that nothing resists has gone along a way.
+/// Returns the tooth after a bur has moved along a path without resistance.
 terrain::Tooth drilled(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, const char* bur,
                        const std::vector<glm::dvec3>& way)
 {
@@ -206,7 +207,7 @@ private slots:
 
     void volumesOfSolids()
     {
-        // Sampled at the nodes: 0.5 % at 150, about four times as much at 64 and a quarter at 300.
+        // The surface is sampled at the nodes: 0.5 % at 150, about four times as much at 64 and a quarter at 300.
         QFETCH(Surface, surface);
         QFETCH(double, mm3);
         for (const auto& [side, percent] : {std::pair(64, 2.0), std::pair(150, 0.5), std::pair(300, 0.15)}) {
@@ -224,7 +225,7 @@ private slots:
     {
         if (support::kSanitized)
             QSKIP("four hundred cuts like those of volumesOfSolids");
-        // Whole rows of columns count or do not: each way it is up to a cell off.
+        // A whole row of columns counts or does not, so each dimension has an error of up to a cell.
         const double cell = kExtentMm / 150;
         double mean = 0.0;
         for (const glm::dvec2 shift : lies(400)) {
@@ -238,7 +239,7 @@ private slots:
 
     void volumesAreExactWhereColumnsHoldTheMeanOfTheirCell()
     {
-        // The height of a column that stands for its cell: the share of it under the box, in closed form.
+        // Expects the height of a column to represent its cell: the share of the cell under the box, in closed form.
         for (const glm::dvec2 shift : lies(12)) {
             const auto anatomy = slabOf(150, shift);
             const double cell = anatomy->grid.cellMm;
@@ -253,7 +254,7 @@ private slots:
 
     void overcutAndUndercutOfAMovedBox()
     {
-        // 3 x 2 x 1.5 against the same one 0.2 mm aside, 0.1 mm along its width and 0.25 deeper.
+        // The ideal is 3 x 2 x 1.5. The cut box is 0.2 mm aside, 0.1 mm along its width and 0.25 deeper.
         const double common = 2.8 * 1.9 * 1.5;
         const double all = 3.0 * 2.0 * 1.75;
         for (const glm::dvec2 shift : lies(8)) {
@@ -265,7 +266,7 @@ private slots:
             QVERIFY(near(d.undercutMm3, 9.0 - common, 0.005 * 9.0));
             QVERIFY(near(d.dice.value(), 2.0 * common / (all + 9.0), 0.003));
             QVERIFY(near(d.iou.value(), common / (all + 9.0 - common), 0.003));
-            // To the last bit of rounding the three volumes are one account.
+            // The volumes balance up to rounding.
             QVERIFY(near(d.removedMm3 - d.overcutMm3(), d.idealMm3 - d.undercutMm3, 1.0e-9));
         }
     }
@@ -300,8 +301,8 @@ private slots:
 
     void theFloorsErrorIsSignedAndFound()
     {
-        // A floor that runs from 0.3 too deep at one end to 0.1 too high at the other: 4 mm, of which the margin of 0.2
-        // at each end does not retranslateUi.
+        // The floor slopes from 0.3 too deep at one end to 0.1 too high at the other over 4 mm. A margin of 0.2 at each
+        // end is not measured.
         const auto slope = [](double x) { return -0.1 + 0.1 * x; };
         for (const int side : {64, 150, 300})
             for (const glm::dvec2 shift : lies(6)) {
@@ -309,10 +310,10 @@ private slots:
                 const Surface wanted = box(4.0, 2.0, 1.5);
                 const Surface done = changed(wanted, [&](glm::dvec2 p) { return slope(p.x); });
                 const grading::DepthError e = compared(anatomy, done, wanted).depth.value();
-                const double reach = 1.8;  // to the margin, and up to two cells less
+                const double reach = 1.8;  // to the margin, or up to two cells less
                 const double cell = kExtentMm / side;
                 QVERIFY(near(e.signedMm, -0.1, 0.01 + 0.05 * cell));
-                // |slope| is above 0 beyond x = 1: the mean of its size.
+                // |slope| is above 0 beyond x = 1: this is the mean of the absolute error.
                 const auto under = [&](double x) { return x * -0.1 + 0.05 * x * x; };
                 const double size = (-(under(1.0) - under(-reach)) + (under(reach) - under(1.0))) / (2.0 * reach);
                 QVERIFY(near(e.meanMm, size, 0.01 + 0.05 * cell));
@@ -332,10 +333,10 @@ private slots:
         QVERIFY(near(aside.depth->meanMm, 0.1, 1.0e-5));
         QVERIFY(near(aside.depth->tooDeepMm.value, 0.1, 1.0e-5));
         QCOMPARE(aside.depth->tooShallowMm.value, 0.0);
-        // What was left out altogether is.
+        // An area that was left uncut counts.
         const Deviation half = compared(anatomy, movedBy(box(1.5, 2.0, 1.5), {-0.75, 0.0, 0.0}), wanted);
         QVERIFY(near(half.depth->tooShallowMm.value, 1.5, 1.0e-5));
-        // A floor narrower than its margins speaks as a whole.
+        // A floor narrower than its margins is measured as a whole.
         QVERIFY(near(compared(anatomy, box(3.0, 0.3, 1.4), box(3.0, 0.3, 1.5)).depth->signedMm, 0.1, 1.0e-5));
     }
 
@@ -370,10 +371,10 @@ private slots:
         QVERIFY(glm::length(anatomy->grid.nodeMm(gouged.depth->gougeMm.node) - glm::dvec2(0.5, 0.2)) < 0.5);
         QVERIFY(near(gouged.depth->shallowP95Mm, 0.0, 1.0e-5));
         QVERIFY(near(gouged.floor->slopeDeg, 0.0, 1.0e-4));
-        // A hole of 0.2 mm2 is none, and in a floor of 8 mm2 no more than 5 percent.
+        // A hole of 0.2 mm2 does not count, because it is at most 5 percent of a floor of 8 mm2.
         QVERIFY(near(dug(0.25).depth->gougeMm.value, 0.05, 1.0e-5));
         QVERIFY(near(dug(0.25).depth->deepP95Mm, 0.05, 1.0e-5));
-        // Beside a floor too narrow to retranslateUi for itself, and too high.
+        // A gouge in a floor too narrow for margins, and a floor that is too high.
         const Surface narrow = box(4.0, 0.5, 1.5);
         QVERIFY(near(compared(anatomy, movedBy(narrow, {0.0, 0.0, -0.3}), narrow).depth->gougeMm.value, 0.3, 1.0e-5));
         const Deviation high = compared(anatomy, movedBy(wanted, {0.0, 0.0, 0.3}), wanted);
@@ -387,7 +388,7 @@ private slots:
         const auto roughness = [&](const Surface& done) {
             return compared(anatomy, done, wanted).outline->roughnessMm.value;
         };
-        // The long walls, 10 of 14 mm, swing by 0.15 mm to either side.
+        // The long walls, 10 of 14 mm, have waves of 0.15 mm amplitude.
         const auto waves = [&](double lengthMm) {
             return [=](glm::dvec2 p) {
                 const double out = 0.15 * std::sin(2.0 * std::numbers::pi * p.x / lengthMm);
@@ -423,7 +424,7 @@ private slots:
         QVERIFY(anatomy->grid.nodeMm(deep->node).x > 1.0);
         const auto shallow = worst(pits(0.1, 1.6));
         QVERIFY(shallow && near(shallow->meanMm, 0.4, 1.0e-5) && near(shallow->depthMm, 0.5, 1.0e-5));
-        // A hole in the middle that is too narrow counts for its depth, and one that is missing for all of it.
+        // A hole in the middle that is too narrow counts with its depth, and a missing one with its full depth.
         const Surface narrow = [](glm::dvec2 p) { return glm::length(p - glm::dvec2(-2.0, 0.0)) < 0.5 ? -0.5 : 1.0; };
         const auto missing = worst(narrow);
         QVERIFY(missing && near(missing->meanMm, 1.5, 1.0e-5));
@@ -440,7 +441,7 @@ private slots:
             };
             return compared(anatomy, done, wanted).beyondMm.value;
         };
-        // The far edge of a hole of 1 mm is 3.5 - 1.5 + 0.5 away; less what the last 0.1 mm2 take.
+        // The far edge of a hole of 1 mm is 3.5 - 1.5 + 0.5 away, less the last 0.1 mm2.
         const double hole = alsoCut({3.5, 0.0}, 0.5, 0.6);
         QVERIFY2(hole > 2.2 && hole < 2.5, qPrintable(QString::number(hole)));
         QVERIFY(near(alsoCut({3.5, 0.0}, 0.5, 0.15), 0.0, 1.0e-5));  // a scratch
@@ -450,8 +451,8 @@ private slots:
 
     void aLedgeIsAStep()
     {
-        // 0.3 mm lower in the right half: about the mean of two halves, less what a tilted plane explains of it. Either
-        // half is level.
+        // The right half is 0.3 mm lower: the step is the difference between the halves, less what a tilted plane
+        // explains. Each half is level.
         const auto anatomy = slabOf(150);
         const Surface wanted = box(4.0, 2.0, 1.5);
         const Surface done = changed(wanted, [](glm::dvec2 p) { return p.x > 0.0 ? -0.3 : 0.0; });
@@ -463,7 +464,7 @@ private slots:
         QVERIFY(near(anatomy->grid.nodeMm(form.stepMm.node).x, 0.0, 0.21));
         QVERIFY(near(form.flatnessMm, 0.15 * std::sqrt(1.0 - 0.75), 0.002));
         QVERIFY(!form.intoDentinMm.has_value());
-        // A staircase that the ideal asks for is none.
+        // A staircase in the ideal does not count as a step.
         Preparation staircase = ideal(*anatomy, done);
         for (Part& part : staircase.parts)
             part = part == Part::Wall ? Part::Floor : part;
@@ -484,8 +485,8 @@ private slots:
 
     void outlinesOfMovedAndWidenedCircles()
     {
-        // An upright wall is known to half a cell, and so are two of them to a cell; along an outline that changes its
-        // direction this evens out.
+        // The position of an upright wall is known to half a cell, a distance of two walls to a cell. Along an outline
+        // that changes its direction the errors average out.
         for (const int side : {64, 150, 300}) {
             const double cell = kExtentMm / side;
             for (const glm::dvec2 shift : lies(8)) {
@@ -504,7 +505,8 @@ private slots:
                 QVERIFY(near(narrow.underMm.value, 0.2, cell));
                 QCOMPARE(narrow.overMm.value, 0.0);
 
-                // Moved by 0.2: at an angle to the way it is off by 0.2 cos.
+                // The outline is moved by 0.2: at an angle to the direction of the move, the error is 0.2 times the
+                // cosine.
                 const auto moved = compared(anatomy, movedBy(wanted, {0.2, 0.0, 0.0}), wanted).outline;
                 QVERIFY(near(moved->signedMm, 0.0, 0.1 * cell));
                 QVERIFY(near(moved->meanMm, 0.2 * 2.0 / std::numbers::pi, 0.2 * cell));
@@ -551,8 +553,8 @@ private slots:
             add("box, a little askew, " + angle, turnedSurface(box(3.0, 2.4, 1.5, degrees), 3.0), degrees);
             add("trench, " + angle, turnedSurface(trench(3.0, 1.2, 1.5, degrees), -21.0), degrees);
             add("cone, " + angle, round(1.6, 1.5, degrees), degrees);
-            // Along the lattice every row of columns has the same share of the wall. One that is steeper than 7 degrees
-            // may have a single column on its slope: then nothing tells how steep it is, to half a cell and more.
+            // Along the lattice, every row of columns has the same share of the wall. A wall steeper than 7 degrees may
+            // have a single column on its slope, which determines the slope only to half a cell or worse.
             add("box along the lattice, " + angle, box(3.0, 2.4, 1.5, degrees), degrees,
                 degrees > 0.0 && degrees < 7.0 ? 4.0 : 1.0);
             add("box across the lattice, " + angle, turnedSurface(box(3.0, 2.4, 1.5, degrees), 45.0), degrees,
@@ -581,7 +583,7 @@ private slots:
 
     void eachWallIsNamedByItsSide()
     {
-        // Four walls of different angles. x and y are halved, so that each leans by its own.
+        // Four walls with different angles, each half of x or y leaning by its own.
         const std::array<double, 4> degrees{6.0, 12.0, 20.0, 9.0};  // -x, +x, -y, +y
         const Surface cavity = [&](glm::dvec2 p) {
             const double west = leaning(p.x + 2.0, 1.5, degrees[0]);
@@ -602,7 +604,7 @@ private slots:
 
     void isthmusIsTheShortestRunAcross()
     {
-        // Two rooms and a passage between them, 1.1 mm wide in its middle and wider towards the rooms.
+        // Two rooms joined by a passage that is 1.1 mm wide in the middle and wider towards the rooms.
         const Surface rooms = [](glm::dvec2 p) {
             const double half = 0.55 + 0.25 * p.x * p.x;
             const double room =
@@ -617,7 +619,7 @@ private slots:
                 Preparation preparation = ideal(*anatomy, surface);
                 preparation.isthmus =
                     Preparation::Isthmus{{0.0, 0.0}, {-std::sin(angle * kDegree), std::cos(angle * kDegree)}, 1.0};
-                // Cut 0.1 mm wider and 0.3 mm aside.
+                // Cuts 0.1 mm wider and 0.3 mm aside.
                 const Surface done = turnedSurface(
                     [&](glm::dvec2 p) {
                         return rooms({p.x, (p.y - 0.3) * 1.1 / 1.2});
@@ -656,7 +658,8 @@ private slots:
             const terrain::Tooth tooth = lowered(anatomy, [&](glm::dvec2 p) {
                 return p.x > ends.x && p.x < ends.y && std::abs(p.y) < 0.7 ? -5.0 : 100.0;
             });
-            // By hand: the columns of each of these rows from the rim to the cut, whole cells and the rim's share.
+            // The expected value: the columns of each of these rows from the rim to the cut, in whole cells plus the
+            // rim's share.
             double mesial = 100.0;
             double distal = 100.0;
             for (int j = 0; j < grid.side; ++j) {
@@ -684,10 +687,9 @@ private slots:
 
     void enamelWhoseRodsWereCutIsUnsupported()
     {
-        // A wall at x = 0 with the cavity to its left, 1 mm of enamel there. The junction falls away to the right by a
-        // slope g: of a rod that goes down to it at a right angle, the foot lies to the left. Above x stands
-        // unsupported what is higher than x (1 + g^2) / g over the junction: a triangle of height 1 at the wall and of
-        // length g.
+        // A wall at x = 0 with the cavity to its left and 1 mm of enamel. To the right the junction falls with slope g,
+        // so a rod perpendicular to it has its foot further left. Above x, enamel higher than x (1 + g^2) / g over the
+        // junction is unsupported: a triangle of height 1 at the wall and of length g.
         for (const double g : {0.0, 0.3, 0.6, -0.4})
             for (const double depth : {3.0, 0.5}) {
                 support::Block made{.cellMm = kExtentMm / 150, .bottomMm = -9.0};
@@ -699,8 +701,8 @@ private slots:
                     return p.x < 0.0 && p.x > -1.0 && std::abs(p.y) < 2.0 ? -depth : 1.0;
                 };
                 const Deviation d = compared(anatomy, surface, surface);
-                // A cut that stays in enamel takes only rods that come to its wall above its floor. Where the junction
-                // rises at this wall, it falls away at the one at x = -1, under 1 - g of enamel.
+                // A cut that stays in enamel undermines only rods that reach its wall above its floor. Where the
+                // junction rises at this wall, it falls at the one at x = -1, under 1 - g of enamel.
                 const double high = std::min(g >= 0.0 ? 1.0 : 1.0 - g, depth);
                 const double expected = 4.0 * 0.5 * std::abs(g) * high * high;
                 QVERIFY2(near(d.unsupportedEnamelMm3->value, expected, 0.03 + 0.06 * expected),
@@ -714,7 +716,7 @@ private slots:
     {
         if (support::kSanitized)
             QSKIP("the search it is compared with would take most of the time of all tests");
-        // A slot through a molar with an oblique ridge, against a search of all feet for every 0.05 mm of enamel.
+        // A slot through a molar with an oblique ridge, compared with a search of all feet for every 0.05 mm of enamel.
         teeth::BuildOptions options;
         options.gridSide = 64;
         options.caries.reset();
@@ -767,7 +769,7 @@ private slots:
     void enamelAboveDecayIsUnsupported()
     {
         const auto anatomy = support::slab(-2.0F);
-        // Nodes 28 to 35 both ways lie within 0.4 mm of the middle.
+        // In both directions, nodes 28 to 35 are within 0.4 mm of the middle.
         const auto isDecayed = [](glm::dvec2 at) { return std::abs(at.x) < 0.4 && std::abs(at.y) < 0.4; };
         support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& at) {
             if (isDecayed(at)) {
@@ -783,15 +785,15 @@ private slots:
         QVERIFY(near(unsupported(0.0, 0.0), 64 * 0.01 * 1.5, 1.0e-6));
         QVERIFY(near(unsupported(-3.0, 0.0), 32 * 0.01 * 1.5, 1.0e-6));
         QVERIFY(near(unsupported(-3.0, -0.5), 32 * 0.01 * 1.0, 1.0e-6));
-        // No enamel on dentin: not measured.
+        // Without enamel on dentin, the volume is not measured.
         const auto plain = slabOf(64);
         QVERIFY(!measured(terrain::Tooth(plain), ideal(*plain, box(2.0, 2.0, 1.0))).unsupportedEnamelMm3.has_value());
     }
 
     void zonesOfThePracticePad()
     {
-        // Target 3 x 2 x 1.5, leeway 0.3 to the sides and 0.2 below. Cut: 3.9 x 2 and 1.9 deep, so beyond the leeway
-        // both ways.
+        // The target is 3 x 2 x 1.5 with a leeway of 0.3 to the sides and 0.2 below. The cut is 3.9 x 2 and 1.9 deep,
+        // beyond the leeway in both directions.
         const grading::Leeway leeway{0.3, 0.2};
         for (const glm::dvec2 shift : lies(8)) {
             const auto anatomy = slabOf(150, shift);
@@ -811,7 +813,7 @@ private slots:
             QVERIFY(!z.targetLeftNode.has_value());
             QVERIFY(std::abs(glm::dot(anatomy->grid.nodeMm(z.containerSidesMm3.node),
                                       glm::dvec2(std::cos(17.0 * kDegree), std::sin(17.0 * kDegree)))) > 1.75);
-            // Nothing is counted twice or lost.
+            // The parts add up to the removed volume.
             QVERIFY(near(z.targetRemovedMm3 + z.leewayBottomRemovedMm3 + z.leewaySidesRemovedMm3 +
                              z.containerBottomMm3.value + z.containerSidesMm3.value,
                          d->removedMm3, 1.0e-9));
@@ -826,8 +828,8 @@ private slots:
 
     void aBurLeavesTheFormThatItWasLedIn()
     {
-        // A straight fissure bur, 1 mm across with an edge of 0.1 mm, along a line of 3 mm, 1.5 mm deep: a trench with
-        // upright walls.
+        // A straight fissure bur, 1 mm wide with an edge of 0.1 mm, moves along a line of 3 mm at a depth of 1.5 mm: a
+        // trench with vertical walls.
         for (const double angle : {0.0, 17.0})
             for (const glm::dvec2 shift : lies(3)) {
                 const auto anatomy = slabOf(150, shift);
@@ -839,7 +841,8 @@ private slots:
                 Preparation preparation = ideal(*anatomy, wanted);
                 preparation.isthmus = Preparation::Isthmus{{0.0, 0.0}, {-along.y, along.x}, 1.0};
                 const Deviation d = measured(tooth, preparation);
-                // The rounded edge keeps 0.1 mm of fillet all along: area 0.01 (1 - pi / 4) a side.
+                // The rounded edge leaves a fillet of 0.1 mm along the whole wall, with an area of 0.01 (1 - pi / 4)
+                // per side.
                 const double fillet = (6.0 + std::numbers::pi) * 0.01 * (1.0 - std::numbers::pi / 4.0);
                 const double expected = trenchMm3(3.0, 0.5, 1.5, 0.0) - fillet;
                 QVERIFY(near(d.removedMm3, expected, (angle == 0.0 ? 0.08 : 0.01) * expected));
@@ -857,8 +860,7 @@ private slots:
 
     void aTaperMilledInRings()
     {
-        // The same bur, led in rings that narrow as they go down: a frustum of 10 degrees whose wall is stairs of 0.03
-        // mm.
+        // The same bur moves in rings that narrow downwards: a frustum of 10 degrees whose wall has steps of 0.03 mm.
         const auto anatomy = slabOf(150, {0.4, 0.7});
         std::vector<glm::dvec3> way{{0.0, 0.0, 0.2}};
         for (double z = -0.03; z > -1.51; z -= 0.03)
@@ -940,7 +942,7 @@ private slots:
         const Deviation cutAll = measured(lowered(anatomy, box(2.0, 2.0, 1.0)), nothing);
         QCOMPARE(cutAll.dice.value(), 0.0);
         QCOMPARE(cutAll.overcutBesideMm3, cutAll.removedMm3);
-        // An ideal above the tooth asks for nothing; one below its under surface for all of a column.
+        // An ideal above the tooth removes nothing, and one below the underside removes the whole column.
         Preparation beyond = nothing;
         std::vector<float> top(anatomy->top.size(), 5.0F);
         top[100] = terrain::kEmptyTop;

@@ -24,7 +24,7 @@ using terrain::Material;
 
 namespace {
 
-/// A bur that rests on the tooth.
+/// Returns the state of a bur that rests on the tooth.
 core::servo::ServoState pressing(double newtons, glm::dvec2 at = {0.0, 0.0}, bool drillOn = false)
 {
     core::servo::ServoState state;
@@ -87,7 +87,7 @@ private slots:
         QVERIFY(isDone(meter.practised()));
         QCOMPARE(measuredOf("points_touched_percent", meter.practised()), std::optional(100.0));
         QCOMPARE(measuredOf("time_to_touch_all_s", meter.practised()), std::optional(2.501));
-        // A second touch is no news.
+        // A second touch of the same point changes nothing.
         practise(meter, pressing(0.5, {0.0, 0.0}), 100);
         QCOMPARE(measuredOf("time_to_touch_all_s", meter.practised()), std::optional(2.501));
     }
@@ -115,7 +115,7 @@ private slots:
         ExerciseMeter meter(threePoints());
         practise(meter, state, 1000);
         QCOMPARE(std::get<Touched>(meter.practised()).count(), std::size_t{0});
-        // A graze is a force like any other where a force is to be held.
+        // For the force exercise, a light touch is a force like any other.
         ExerciseMeter holding(ForceToHold{1.0, 1.0, 10.0});
         practise(holding, state, 12000);
         const bool counts = std::isfinite(newtons) && touching && !drill && !lost;
@@ -136,7 +136,7 @@ private slots:
     void aForceIsHeldToTheTick()
     {
         ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
-        practise(meter, pressing(0.7), 500);  // not yet in the band: no contact that counts
+        practise(meter, pressing(0.7), 500);  // not in the band yet, so no contact that counts
         practise(meter, pressing(1.1), 9999);
         QVERIFY(!isDone(meter.practised()));
         QCOMPARE(held(meter).longestS, 9.999);
@@ -154,7 +154,7 @@ private slots:
         practise(meter, pressing(1.0), 2000);
         practise(meter, pressing(1.5), 200);
         practise(meter, pressing(1.0), 1000);
-        QCOMPARE(held(meter).nowS, 3.0);  // what was off does not count
+        QCOMPARE(held(meter).nowS, 3.0);  // time outside the band does not count
         practise(meter, stateInAir(), 201);
         QCOMPARE(held(meter).nowS, 0.0);
         practise(meter, pressing(0.9), 500);
@@ -238,7 +238,7 @@ private slots:
         for (int n = 0; n < 1000; ++n)
             meter.noted(rng.next() >> 1U << 32U);
         QVERIFY(!isBegun(meter.practised()));
-        // And where nothing is asked, an answer is nothing.
+        // Another exercise ignores the answer.
         ExerciseMeter holding(ForceToHold{});
         holding.noted(answer);
         QVERIFY(holding.practised() == Practised(Held{}));
@@ -260,7 +260,7 @@ private slots:
         QCOMPARE(known(Named{}), QStringLiteral("layers_named_percent"));
     }
 
-    /// Points, force and layers.
+    /// For the points, the force and the layers.
     void liveAndReplayFindTheSame_data() { support::rows<int>("which", {0, 1, 2}); }
 
     void liveAndReplayFindTheSame()
@@ -299,13 +299,14 @@ private slots:
             return outcome ? examiner.practised() : std::nullopt;
         };
         QVERIFY(examined(concluded->recording) == concluded->findings.practised);
-        // And once more from the file.
+        // The recording read from its file gives the same.
         const auto read = recording::Recording::fromBytes(concluded->recording.toBytes());
         QVERIFY(read.has_value());
         QVERIFY(examined(*read) == concluded->findings.practised);
     }
 
-    /// Under the same force decay gives way far faster than dentin, and dentin than enamel: they can be told apart.
+    /// Under the same force, decay yields far faster than dentin, and dentin faster than enamel, so that a student can
+    /// tell them apart.
     void theThreeLayersGiveWayDifferently()
     {
         constexpr std::uint64_t kSeed = 5;
@@ -329,7 +330,7 @@ private slots:
         QVERIFY(sunkMm[Material::Caries] > 1.5 * sunkMm[Material::Dentin]);
     }
 
-    /// With a mouse that pushes with 1 N, on the tooth of the shipped exercise, in its pit.
+    /// A mouse presses with 1 N into the pit of the tooth of the shipped exercise.
     void aMouseHoldsANewton()
     {
         const auto built = teeth::buildTooth({36}, {});

@@ -36,7 +36,7 @@ std::optional<std::size_t> nodeOf(const char* id, const Measured& measured)
     return grading::findMeasure(id).value().nodeIn(measured);
 }
 
-/// A preparation that takes a level box out of a tooth, and the box that was cut.
+/// A tooth with a box cut into it, and the ideal: a level box.
 struct Attempt
 {
     terrain::Tooth tooth;
@@ -116,7 +116,7 @@ private slots:
 
     void whatIsNotThereIsNotMeasured()
     {
-        // A sound block without ideal and recording: what was removed is known, and nothing else.
+        // A sound block without ideal and recording: only the measures of the removed tissue are known.
         Measured measured;
         measured.measures = grading::measure(terrain::Tooth(support::makeBlock({})));
         const std::set<std::string_view> known{"lesion_mm3",         "sound_overcut_mm3", "enamel_removed_mm3",
@@ -188,7 +188,7 @@ private slots:
         const Measured measured = attempt.measured();
         for (const char* id : {"depth_too_deep_mm", "depth_error_p95_mm", "overcut_mm3"})
             QCOMPARE(nodeOf(id, measured), std::optional(deep));
-        // By hand: the column with most decay left, and the one that was lowered most.
+        // The expected nodes: the column with the most decay left, and the one that was lowered most.
         const auto first = [&](const std::function<double(std::size_t)>& value) {
             std::size_t best = 0;
             for (std::size_t k = 1; k < anatomy->top.size(); ++k)
@@ -203,7 +203,7 @@ private slots:
                  }));
         QCOMPARE(nodeOf("deepest_cut_mm", measured),
                  first([&](std::size_t k) { return static_cast<double>(anatomy->top[k] - tooth.top[k]); }));
-        // The way from there to the pulp is the one that was measured.
+        // The distance from that column to the pulp is the measured one.
         const std::size_t nearest = nodeOf("remaining_over_pulp_mm", measured).value();
         QVERIFY(tooth.top[nearest] < anatomy->top[nearest]);
         double least = 5.0;
@@ -216,11 +216,11 @@ private slots:
         QVERIFY(std::abs(least - measured.measures.remainingOverPulpMm) < 1.0e-5);
     }
 
-    /// The same leaning cavity in a lower tooth, an upper one and a block: buccal is -y, +y and nowhere.
+    /// The same leaning cavity in a lower tooth, an upper tooth and a block: buccal is -y, +y and undefined.
     void wallsAreNamedWhereTheSidesAreKnown()
     {
         for (const int fdi : {36, 26, 0}) {
-            // Flat, so that only the names differ.
+            // The surface is flat, so that only the names differ.
             auto flat =
                 std::make_shared<terrain::ToothAnatomy>(fdi == 0 ? *support::makeBlock({}) : *support::builtTooth(fdi));
             for (std::size_t k = 0; k < flat->top.size(); ++k)
@@ -256,7 +256,7 @@ private slots:
         }
     }
 
-    /// Whatever is done to a tooth, every measure is a finite number or is said not to be measured, and the same again.
+    /// After any cuts, every measure is a finite number or unknown, and measuring again gives the same.
     void randomCutsGiveFiniteNumbers()
     {
         for (std::uint64_t seed = 1; seed <= 12; ++seed) {

@@ -19,7 +19,7 @@ using support::cutThrough;
 
 namespace {
 
-/// 64 x 64 cells of 0.1 mm, decay in the square 28 .. 35.
+/// Returns 64 x 64 cells of 0.1 mm with decay in the square 28 .. 35.
 std::shared_ptr<ToothAnatomy> decayedBlock()
 {
     return support::decayedSlab(28, 35);
@@ -61,7 +61,8 @@ private slots:
         QCOMPARE(measures.cariesLeftMm3, 0.0);
         QCOMPARE(measures.overcutMm3, 0.0);
         QVERIFY(isNear(removed(measures, Material::Caries), measures.lesionMm3));
-        // Without a lesion nothing is asked; one that goes through leaves nothing; one outside the tooth is none.
+        // Without a lesion there is no ideal cavity. A lesion through the tooth leaves nothing of its column, and a
+        // lesion outside the tooth is ignored.
         QVERIFY(grading::idealCavity(*support::slab(-2.0F)) == nullptr);
         anatomy->layers[anatomy->grid.index(30, 30)].cariesFloor = -20.0F;
         anatomy->layers[anatomy->grid.index(2, 2)] = {6.0F, 4.0F, -2.0F, 0.0F, 0.0F};
@@ -100,7 +101,7 @@ private slots:
 
     void whatLiesBesideAndBelowTheLesionIsOvercut()
     {
-        // One column wide beside it, half a millimetre below.
+        // Cuts one column too wide on one side, and half a millimetre too deep.
         const grading::Measures m = measuresAfter({27, 35, 28, 35}, -3.5F);
         QVERIFY(isNear(m.overcutMm3, 0.01 * (8 * 3.5 + 64 * 0.5)));
         const double sound = removed(m, Material::Enamel) + removed(m, Material::Dentin);
@@ -109,7 +110,7 @@ private slots:
 
     void aCutIsMeasuredAgainstItsLesion()
     {
-        const auto anatomy = decayedBlock();  // without a tooth's number: no ridges
+        const auto anatomy = decayedBlock();  // a block without an FDI number has no ridges
         const auto after = [&](const std::vector<std::pair<support::Nodes, float>>& cuts) {
             Tooth tooth(anatomy);
             for (const auto& [nodes, toMm] : cuts)
@@ -119,12 +120,12 @@ private slots:
         const grading::LesionCut clean = after({{{28, 35, 28, 35}, -3.0F}});
         QVERIFY(clean == grading::LesionCut{});
         const double junction = static_cast<double>(anatomy->layers[anatomy->grid.index(30, 30)].dej);
-        // Decay on the floor of all columns, and in two of them up to its roof.
+        // Leaves decay on the floor of all columns, and in two of them up to the junction.
         const float onFloor = static_cast<float>(junction - grading::kAtJunctionMm - 0.1);
         const grading::LesionCut left = after({{{28, 35, 28, 34}, onFloor}, {{28, 33, 35, 35}, onFloor}});
         QVERIFY(onFloor > -3.0F);
         QVERIFY(isNear(left.junctionMm2.value, 0.02) && isNear(left.floorMm2.value, 0.62));
-        // Half a millimetre deeper over 1 mm2, and a hole 2 mm away.
+        // Cuts half a millimetre deeper over 1 mm2, and a hole 2 mm away.
         QVERIFY(isNear(after({{{26, 37, 26, 37}, -3.5F}}).belowMm.value, 0.5));
         QVERIFY(isNear(after({{{30, 33, 30, 33}, -3.5F}}).belowMm.value, 0.0));  // 0.16 mm2
         const double away = after({{{28, 35, 28, 35}, -3.0F}, {{55, 58, 30, 33}, -0.5F}}).beyondMm.value;
@@ -155,11 +156,11 @@ private slots:
 
     void countsTheLargestIsland()
     {
-        // A slot leaves three columns of decay on one side and four on the other.
+        // A slot through the decay leaves three columns on one side and four on the other.
         const grading::Measures m = measuresAfter({31, 31, 28, 35}, -3.0F);
         QVERIFY(isNear(m.cariesLeftMm3, 0.01 * 56 * 2.0));
         QVERIFY(isNear(m.largestIslandMm3, 0.01 * 32 * 2.0));
-        // Neighbours that do not overlap in height are two islands.
+        // Neighbouring columns whose decay does not overlap in height are two islands.
         auto anatomy = decayedBlock();
         support::eachOf(anatomy->grid, {32, 35, 28, 35}, [&](std::size_t k) {
             anatomy->layers[k].cariesRoof = -3.5F;
@@ -170,8 +171,8 @@ private slots:
 
     void remainingIsTheShortestWayInAnyDirection()
     {
-        // Above the pulp; a shaft 4 columns beside it, deeper than its roof; 3 columns aside and 0.4 mm above its roof;
-        // far away.
+        // Cuts above the pulp; 4 columns beside it and deeper than its roof; 3 columns beside it and 0.4 mm above its
+        // roof; far away.
         QVERIFY(isNear(measuresAfter({30, 30, 30, 30}, -4.25F).remainingOverPulpMm, 0.75));
         QVERIFY(isNear(measuresAfter({16, 16, 30, 30}, -6.0F).remainingOverPulpMm, 0.4));
         QVERIFY(isNear(measuresAfter({17, 17, 30, 30}, -4.6F).remainingOverPulpMm, 0.5));
@@ -207,7 +208,7 @@ private slots:
     void exposureIsTheAreaCutDownToPulp()
     {
         const grading::Measures m =
-            measuresAfter({18, 23, 20, 20}, -5.5F);  // two of the six columns lie beside the pulp
+            measuresAfter({18, 23, 20, 20}, -5.5F);  // two of the six columns are beside the pulp
         QVERIFY(isNear(m.pulpExposedMm2, 0.04));
         QVERIFY(isNear(removed(m, Material::Pulp), 0.04 * 0.5));
         QCOMPARE(m.remainingOverPulpMm, 0.0);
@@ -230,10 +231,11 @@ private slots:
         for (int i = 10; i < 13; ++i)
             cutThrough(tooth, tooth.grid().index(i, 50));
         QVERIFY(isNear(grading::measure(tooth).perforatedMm2, 0.03));
-        cut(tooth, {40, 45, 40, 45}, -9.5F);  // deep, not through
+        cut(tooth, {40, 45, 40, 45}, -9.5F);  // deep, but not through
         QVERIFY(isNear(grading::measure(tooth).perforatedMm2, 0.03));
 
-        // Where the ideal goes through, a hole is none, nor is what hangs together with it; one elsewhere is.
+        // Where the ideal goes through the tooth, a hole does not count, nor does a hole connected with it. A hole
+        // elsewhere counts.
         auto ideal = std::make_shared<std::vector<float>>(tooth.anatomy->top);
         (*ideal)[tooth.grid().index(11, 50)] = kEmptyTop;
         QVERIFY(isNear(grading::measure(tooth, ideal).perforatedMm2, 0.0));
@@ -263,7 +265,7 @@ private slots:
             for (float& top : tooth.top)
                 top = static_cast<float>(rng.uniform(-9.9, 0.0));
             const grading::Measures m = grading::measure(tooth);
-            double slow = 0.0;  // overcut, counted in slices of 10 um
+            double slow = 0.0;  // overcut, summed over slices of 10 um
             for (std::size_t k = 0; k < tooth.top.size(); ++k) {
                 const ColumnLayers& column = tooth.anatomy->layers[k];
                 const bool lesion = column.cariesRoof > column.cariesFloor;

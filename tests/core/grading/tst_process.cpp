@@ -115,7 +115,7 @@ private slots:
         give(meter, whileCutting(), 1);
         QCOMPARE(meter.process().strokes, 2);
         QVERIFY(near(meter.process().longestPauseS, 0.15));
-        // What was undone in the middle of a stroke has ended it.
+        // An undo in the middle of a stroke ends the stroke.
         meter.undone();
         give(meter, whileCutting(), 1);
         QCOMPARE(meter.process().strokes, 3);
@@ -174,7 +174,7 @@ private slots:
             const double turn = 2.0 * kPi * n / 2000;
             meter.take(whileCutting({2.0 * std::cos(turn), 2.0 * std::sin(turn), 0.0}), 1ms);
         }
-        // Chords of 0.1 mm on a radius of 2, and less than one of them left over.
+        // The path is measured in chords of 0.1 mm on a radius of 2 mm; less than one chord remains.
         QVERIFY(near(meter.process().pathMm, 4.0 * kPi, 0.11));
         QVERIFY(near(meter.process().cuttingPathMm, meter.process().pathMm, 0.11));
         QVERIFY(near(meter.process().strokeMm.value(), meter.process().cuttingPathMm));
@@ -191,7 +191,7 @@ private slots:
 
     void pathInStrokes()
     {
-        // 3 mm cutting, 3 mm through the air, 2 mm cutting.
+        // Moves 3 mm cutting, 3 mm through the air, and 2 mm cutting.
         ProcessMeter meter(2.0);
         const auto go = [&](double from, double to, bool cuts) {
             for (int n = 0; n <= 1000; ++n) {
@@ -213,7 +213,7 @@ private slots:
 
     void forceOverTime()
     {
-        // 1 N for 5 s, 2 N for 3.6 s, 4 N for 0.4 s: of what is over the time, not over the ticks.
+        // 1 N for 5 s, 2 N for 3.6 s, 4 N for 0.4 s: the percentile is over time, not over ticks.
         for (const auto& [limitN, overS] : {std::pair(0.5, 9.0), {1.5, 4.0}, {9.0, 0.0}}) {
             ProcessMeter meter(limitN);
             give(meter, whileCutting({}, 1.0), 2500, 2ms);
@@ -225,20 +225,20 @@ private slots:
             QVERIFY(near(p.force->meanN, mean));
             QVERIFY(near(p.force->sdN, std::sqrt((5.0 + 14.4 + 6.4) / 9.0 - mean * mean)));
             QVERIFY(near(p.force->largestN, 4.0));
-            QVERIFY(near(p.force->p95N, 2.0, 0.02));  // a bin
+            QVERIFY(near(p.force->p95N, 2.0, 0.02));  // one bin of the histogram
             QVERIFY(near(p.overLimitS, overS));
             give(meter, whileCutting({}, 4.0), 200);  // now more than 5 % of the time
             QVERIFY(near(meter.process().force->p95N, 4.0, 0.02));
         }
-        // Beyond the histogram.
+        // A force beyond the histogram.
         ProcessMeter strong(2.0);
         give(strong, whileCutting({}, 25.0), 100);
         QVERIFY(near(strong.process().force->largestN, 25.0));
         QVERIFY(near(strong.process().force->p95N, 25.0));
     }
 
-    /// A swing of 1 mm, also as read in counts: the jerk is omega^3 A cos, its root mean square omega^3 A / sqrt 2. A
-    /// backward difference of counts of 0.05 mm at 1 kHz would say 10^7 mm/s3.
+    /// An oscillation of 1 mm, also as read in counts. The jerk is omega^3 A cos, and its root mean square omega^3 A /
+    /// sqrt 2. A backward difference of counts of 0.05 mm at 1 kHz would give 10^7 mm/s3.
     void jerkOfASwing()
     {
         for (const auto& [hertz, countMm, share] :
@@ -260,7 +260,7 @@ private slots:
         for (int n = 0; n < 5000; ++n)
             meter.take(whileCutting({0.005 * n, -0.002 * n, 0.0}), 1ms);
         QVERIFY(near(meter.process().jerkMmPerS3.value(), 0.0, 1.0e-4));
-        // Whatever the hand does while the drill is off is none of it.
+        // Movements while the drill is off do not count.
         ServoState away = inAir(false);
         away.deviceMm = {90.0, 0.0, 0.0};
         give(meter, away, 100);
@@ -278,7 +278,7 @@ private slots:
         QVERIFY(near(meter.process().totalS, 1.1));
         QCOMPARE(meter.process().liftOffs, 0);
         QCOMPARE(meter.process().drillInAirS, 0.0);
-        // No numbers.
+        // Values that are not finite numbers.
         ProcessMeter odd(2.0);
         give(odd, whileCutting({}, std::nan("")), 100);
         give(odd, whileCutting({std::numeric_limits<double>::infinity(), 0.0, 0.0}), 100);
@@ -302,7 +302,7 @@ private slots:
         support::Rig rig;
         rig.drill(support::makeBlock({}));
         ProcessMeter live(1.0);
-        live.take(rig.servo->state(), 1ms);  // open() has left one tick on the recording
+        live.take(rig.servo->state(), 1ms);  // open() has recorded one tick
         support::RestlessHand hand(11);
         for (int n = 0; n < 4000; ++n) {
             rig.device.tipMm = hand.next();

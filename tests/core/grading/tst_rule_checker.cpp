@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::chrono::microseconds kTick = 1ms;
 
-/// Returns whether the referee found this breach once and no other.
+/// Returns whether the checker found this violation exactly once and no other.
 bool isOne(const std::vector<Infraction>& found, RuleViolation breach)
 {
     return found.size() == 1 && found.front().breach == breach;
@@ -70,7 +70,8 @@ private slots:
         QVERIFY(isOne(found, RuleViolation::PulpExposed));
         QCOMPARE(found.front().tick, std::uint64_t{2});
         QVERIFY(cut(i, j, toRoof + 0.5F).empty());
-        // Put back to where it was open already: not told again. Put back further: told when it happens again.
+        // After a restore to a state that was already open, the violation is not reported again. After a restore to an
+        // earlier state, it is.
         m_referee->restored(*m_tooth);
         QVERIFY(cut(i, j, toRoof + 0.6F).empty());
         m_tooth.emplace(m_anatomy);
@@ -133,7 +134,7 @@ private slots:
         QVERIFY(isOne(found, RuleViolation::TooMuchForce));
         QVERIFY(support::near(found.front().value, 3.0610, 1e-3));
         QVERIFY(wait(1000).empty());
-        // Let go for a tick, it counts from the beginning.
+        // If the force drops for a tick, the time starts again.
         m_state.forceN = {0.0, 0.0, 1.0};
         QVERIFY(wait(1).empty());
         m_state.forceN = {0.0, 0.0, 3.5};
@@ -145,7 +146,7 @@ private slots:
     {
         watch(&Rules::airLimitS, 2.0);
         m_state.drillOn = true;
-        // Who has not cut yet may be reading what is asked.
+        // A student who has not cut yet may be reading the task, so the time does not run.
         QVERIFY(wait(9000).empty());
         QVERIFY(cut(m_middle, m_middle, 0.2F).empty());
         m_state.touching = false;
@@ -173,7 +174,7 @@ private slots:
         m_state.health = 0;
         QVERIFY(wait(500).empty());
         QVERIFY(isOne(wait(1), RuleViolation::BurInAir));
-        // A force before the gap and one after it are two.
+        // A force before the gap and one after it count separately.
         m_state.touching = true;
         m_state.forceN = {0.0, 0.0, 3.5};
         QVERIFY(wait(150).empty());
@@ -202,11 +203,11 @@ private slots:
         QVERIFY(teeth::teethBeside(99) == nullptr);
         const auto neighbours = teeth::teethBeside(36);
         QVERIFY(neighbours != nullptr);
-        QVERIFY(teeth::teethBeside(36) == neighbours);  // made once
+        QVERIFY(teeth::teethBeside(36) == neighbours);  // the teeth are made only once
         m_anatomy = support::builtTooth(36);
         m_tooth.emplace(m_anatomy);
         watch(&Rules::neighbours, neighbours);
-        // How far 36 reaches along x in its middle row, where the neighbours stand next to it.
+        // The extent of tooth 36 along x in its middle row, where the neighbouring teeth are.
         const terrain::Grid& grid = m_anatomy->grid;
         double low = 1.0e9;
         double high = -1.0e9;
@@ -222,7 +223,7 @@ private slots:
             m_state.anchorMm = {x, grid.nodeMm(0, grid.side / 2).y, z};
             return wait(1);
         };
-        // All along its own crown, from rim to rim, nobody else is touched.
+        // Within its own crown, from rim to rim, the bur touches no neighbour.
         for (double x = low + 0.6; x < high - 0.6; x += 0.1)
             QVERIFY2(at(x, -2.5).empty(), qPrintable(QString::number(x)));
         for (const double beyond : {low - 0.9, high + 0.9}) {
@@ -246,7 +247,7 @@ private slots:
     {
         const std::size_t k = m_anatomy->grid.index(m_middle, m_middle);
         support::cutThrough(*m_tooth, k);
-        // Where a hole is asked for, it is none.
+        // A hole where the ideal has one is not a perforation.
         auto ideal = std::make_shared<std::vector<float>>(m_anatomy->top);
         (*ideal)[k] = terrain::kEmptyTop;
         for (const bool isAsked : {false, true}) {
@@ -303,7 +304,7 @@ private slots:
         rig.drill(m_anatomy);
         support::RestlessHand hand(12);
         rig.follow(hand, 2000);
-        // More steps than are kept for who falls behind.
+        // More steps than are stored for a loop that falls behind.
         for (int n = 0; n < 600; ++n) {
             rig.send(n % 2 == 0 ? session::SessionCommand{session::Undo{}} : session::SessionCommand{session::Redo{}});
             rig.run(2);
@@ -318,14 +319,14 @@ private slots:
     }
 
 private:
-    /// Watches by one rule, and by those that were given before.
+    /// Watches this rule in addition to the ones set before.
     template <class Limit>
     void watch(Limit Rules::*rule, const std::type_identity_t<Limit>& limit, const IdealTop& ideal = nullptr)
     {
         m_rules.*rule = limit;
         m_referee.emplace(m_rules, m_anatomy, ideal);
     }
-    /// Lowers column (i, j) so far below the original surface and lets the referee look.
+    /// Lowers column (i, j) to this depth below the original surface and runs the checker.
     std::vector<Infraction> cut(int i, int j, float depthMm)
     {
         const std::size_t k = m_anatomy->grid.index(i, j);

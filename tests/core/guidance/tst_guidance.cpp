@@ -23,7 +23,7 @@ namespace {
 constexpr double kHalfWidthMm = 1.0;
 constexpr double kDepthMm = 1.5;
 
-/// A slab with its top at 0, in which a trench along y is to be cut.
+/// A slab with its top at 0, and an ideal trench along y.
 struct Trench
 {
     std::shared_ptr<const terrain::ToothAnatomy> anatomy = support::makeBlock({});
@@ -96,17 +96,17 @@ private slots:
         const auto margin = [&](double x, double z) {
             return marginMm(*trench.anatomy, trench.ideal, straight, {x, 0.0, z});
         };
-        // Over the floor it is the way down.
+        // Above the floor, the margin is the distance down to it.
         QVERIFY(std::abs(margin(0.0, -kDepthMm + 0.3).value() - std::min(0.3, kHalfWidthMm - radius)) < 1.0e-6);
         QVERIFY(std::abs(margin(0.0, -kDepthMm - 0.2).value() + 0.2) < 1.0e-6);
-        // In the middle of the depth the wall is what is near, known to half a cell.
+        // In the middle of the depth the wall is nearest, whose position is known to half a cell.
         for (const double toWall : {0.1, 0.3}) {
             const double x = kHalfWidthMm - radius - toWall;
             QVERIFY(near(margin(x, -0.7).value(), toWall, 0.5 * cell + 1.0e-6));
         }
-        // Into the wall it is how far the bur reaches into it, not how deep it stands.
+        // A bur in the wall reports how far it reaches into the wall, not its depth.
         QVERIFY(near(margin(kHalfWidthMm - radius + 0.2, -0.7).value(), -0.2, cell));
-        // In the air nothing is near.
+        // In the air there is no margin.
         QVERIFY(!margin(0.0, guidance::kToldMm + 0.5).has_value());
         QVERIFY(!marginMm(*trench.anatomy, trench.ideal, straight, {1.0e9, std::nan(""), 0.0}).has_value());
     }
@@ -119,7 +119,7 @@ private slots:
         QVERIFY(whole.askedMm3 > 1.0);
         QCOMPARE(whole.leftMm3, whole.askedMm3);
         QCOMPARE(whole.beyondMm3, 0.0);
-        // All of it, and a tenth of a millimetre below it.
+        // Cuts all of the ideal, and 0.1 mm below it.
         double area = 0.0;
         for (std::size_t k = 0; k < top.size(); ++k)
             if (trench.ideal[k] < top[k]) {
@@ -140,13 +140,13 @@ private slots:
         const auto at = [&](double x, double z) { return fixture.forceN({x, 0.0, z}, bur); };
         for (const double x : {-room + 0.05, 0.0, room - 0.05})
             QCOMPARE(at(x, -1.0), glm::dvec3(0.0));
-        // Half a millimetre outside it pulls back with half a newton; the outline is known to a cell.
+        // Half a millimetre outside, the force is half a newton inwards. The outline is known to a cell.
         for (const double side : {-1.0, 1.0}) {
             const glm::dvec3 force = at(side * (room + 0.5), -1.0);
             QVERIFY(support::between(-side * force.x / Fixture::kNPerMm, 0.25, 0.75));
             QVERIFY(std::abs(force.y) < 1.0e-6 && force.z == 0.0);
         }
-        // It never pushes harder, and lets go in the end; and over the tooth the hand is free.
+        // The force has an upper limit and ends at some distance. Above the tooth the hand is free.
         for (double x = 0.0; x < 4.0; x += 0.01)
             QVERIFY(glm::length(at(x, -1.0)) <= Fixture::kMostN + 1.0e-9);
         QCOMPARE(at(room + Fixture::kHoldsMm + 1.3, -1.0), glm::dvec3(0.0));

@@ -40,7 +40,7 @@ class TestRemovedTally : public QObject
 private slots:
     void agreesWithTheSumOverColumns_data() { support::rows<int>("side", {64, 150}); }
 
-    /// With 64 nodes a side all tiles are whole, with 150 the edge cuts some off.
+    /// A grid of 64 nodes a side has whole tiles only; one of 150 has partial tiles at the edge.
     void agreesWithTheSumOverColumns()
     {
         QFETCH(int, side);
@@ -64,7 +64,7 @@ private slots:
         QVERIFY(tally.of(tiles).volumesMm3[static_cast<std::size_t>(terrain::Material::Dentin)] > 1.0);
     }
 
-    /// Undo restores older tiles, and the tally must give the same figures as at that time.
+    /// An undo restores older tiles. The tally must then give the same volumes as before.
     void answersTheSameWhateverWasAskedBefore()
     {
         terrain::Tooth tooth(support::builtTooth(36));

@@ -29,7 +29,7 @@ TiledHeights flat(float height)
     return {kGrid, std::vector<float>(kGrid.count(), height)};
 }
 
-/// The map with one tile replaced.
+/// Returns the map with one tile replaced.
 TiledHeights with(TiledHeights map, int tileX, int tileY, float height)
 {
     Tile tile;
@@ -38,7 +38,7 @@ TiledHeights with(TiledHeights map, int tileX, int tileY, float height)
     return map;
 }
 
-/// Returns a tree with a whole tooth as its first moment and n strokes after it.
+/// Returns a tree whose first moment is a whole tooth, with n strokes after it.
 UndoTree grown(int strokes)
 {
     UndoTree tree;
@@ -56,7 +56,7 @@ int tilesApart(const TiledHeights& a, const TiledHeights& b)
     return count;
 }
 
-/// The moments as "id<parent" in the order of the list, the present one in brackets.
+/// Prints the moments as "id<parent" in the order of the list, with the current one in brackets.
 QString drawn(const UndoTree& tree)
 {
     QStringList all;
@@ -95,7 +95,7 @@ private slots:
         QCOMPARE(tilesApart(first, second), 1);
         QCOMPARE(tilesApart(first, first), 0);
         QCOMPARE(second.tile(0, 0).get(), first.tile(0, 0).get());
-        QCOMPARE(first.flat(), std::vector<float>(kGrid.count(), 1.0F));  // the older one is as it was
+        QCOMPARE(first.flat(), std::vector<float>(kGrid.count(), 1.0F));  // the older map is unchanged
         QCOMPARE(second.flat()[kGrid.index(32, 16)], 0.5F);
         QCOMPARE(second.flat()[kGrid.index(31, 16)], 1.0F);
     }
@@ -162,7 +162,7 @@ private slots:
         QVERIFY(!tree.redo());
         QVERIFY(tree.undo());
         QCOMPARE(tree.current().tick, 1U);
-        // Nothing is lost: the other branch is as it was.
+        // Nothing is lost: the other branch is unchanged.
         QCOMPARE(tree.find(MomentId{5})->top.flat(), flat(-4.0F).flat());
         QVERIFY(tree.find(MomentId{7}) == nullptr);
     }
@@ -177,8 +177,7 @@ private slots:
         const auto first = tree.currentId();
         tree.push({TiledHeights{}, 300});
         const auto here = tree.currentId();
-        // At tick 250 the tooth had been whole again: what was cut at 100 lies on another branch, though it is more
-        // recent.
+        // At tick 250 the tooth was whole again. The moment at tick 100 is more recent, but on another branch.
         QCOMPARE(history::lastBefore(tree.list(), 250), std::optional(first));
         QVERIFY(history::lastBefore(tree.list(), 250) != std::optional(left));
         QCOMPARE(history::lastBefore(tree.list(), 301), std::optional(here));
@@ -211,7 +210,7 @@ private slots:
         QCOMPARE(drawn(tree), "1<0 2<1 3<2 [4<3] 5<2 6<5");
         QCOMPARE(tree.current().top.flat(), flat(-3.0F).flat());
         QCOMPARE(tree.undoSteps(), 3);
-        QVERIFY(!tree.goTo(MomentId{4}));  // is there already
+        QVERIFY(!tree.goTo(MomentId{4}));  // is the current moment already
         QVERIFY(!tree.goTo(MomentId{7}));
         QVERIFY(!tree.goTo(MomentId{}));
         QVERIFY(tree.goTo(MomentId{1}));
@@ -245,7 +244,7 @@ private slots:
             QCOMPARE(tree.current().tick, n);
         }
         QCOMPARE(tree.undoSteps(), 10);
-        // The oldest that is left is whole.
+        // The oldest remaining moment is a complete map.
         while (tree.undo()) {
         }
         QCOMPARE(tree.current().tick, 490U);
@@ -253,7 +252,7 @@ private slots:
         QCOMPARE(*std::min_element(heights.begin(), heights.end()), -490.0F);
         QCOMPARE(*std::max_element(heights.begin(), heights.end()), -475.0F);
 
-        // However small the limit, one step back is kept.
+        // One undo step is kept however small the limit is.
         UndoTree tiny(1);
         tiny.restart({flat(0.0F), 0});
         tiny.push({flat(-1.0F), 1});
@@ -265,7 +264,7 @@ private slots:
 
     void memoryLimitForgetsBranchesFirst()
     {
-        // Room for six moments that have nothing in common.
+        // Room for six moments that share no tiles.
         UndoTree tree(6 * (kTiles * sizeof(Tile) + kListBytes));
         tree.restart({flat(0.0F), 0});
         tree.push({flat(-1.0F), 1});
@@ -276,14 +275,14 @@ private slots:
         tree.push({flat(-5.0F), 5});
         QCOMPARE(drawn(tree), "1<0 2<1 3<2 4<3 5<2 [6<5]");
         tree.push({flat(-6.0F), 6});
-        QCOMPARE(drawn(tree), "1<0 2<1 3<2 5<2 6<5 [7<6]");  // the leaf of the other branch
+        QCOMPARE(drawn(tree), "1<0 2<1 3<2 5<2 6<5 [7<6]");  // without the leaf of the other branch
         tree.push({flat(-7.0F), 7});
-        QCOMPARE(drawn(tree), "1<0 2<1 5<2 6<5 7<6 [8<7]");  // the rest of it
+        QCOMPARE(drawn(tree), "1<0 2<1 5<2 6<5 7<6 [8<7]");  // without the rest of that branch
         tree.push({flat(-8.0F), 8});
-        QCOMPARE(drawn(tree), "2<0 5<2 6<5 7<6 8<7 [9<8]");  // then the first of the way here
+        QCOMPARE(drawn(tree), "2<0 5<2 6<5 7<6 8<7 [9<8]");  // then without the first moment of the current branch
         QVERIFY(tree.goTo(MomentId{2}));
         tree.push({flat(-9.0F), 9});
-        QCOMPARE(drawn(tree), "2<0 5<2 6<5 7<6 8<7 [10<2]");  // what was undone is a branch now
+        QCOMPARE(drawn(tree), "2<0 5<2 6<5 7<6 8<7 [10<2]");  // the undone moments are a branch now
     }
 
     void memoryStaysTrueInAStorm()
@@ -310,7 +309,7 @@ private slots:
             }
             if (n % 50 != 0)
                 continue;
-            // Against a slow count.
+            // Compares with a slow count.
             std::set<const Tile*> tiles;
             std::size_t lists = 0;
             std::map<MomentId, int> known;
@@ -337,7 +336,7 @@ private slots:
         QCOMPARE(tree.undoSteps(), 0);
         QCOMPARE(tree.redoSteps(), 0);
         QCOMPARE(tree.bytes(), kTiles * sizeof(Tile) + kListBytes);
-        QVERIFY(tree.find(MomentId{1}) == nullptr);  // no number is given twice
+        QVERIFY(tree.find(MomentId{1}) == nullptr);  // ids are not reused
     }
 };
 

@@ -13,7 +13,7 @@
 
 using namespace core;
 
-/// The canals that pictures show below the reach of a bur.
+/// Tests the root canals that pictures show below the reach of a bur.
 class TestCanals : public QObject
 {
     Q_OBJECT
@@ -37,7 +37,7 @@ private slots:
         const double reachMm = core::bur::lowestTipMm(*model);
         const auto pictured = imaging::withCanals(terrain::Tooth(model)).anatomy;
         QVERIFY(pictured != model);
-        QVERIFY(imaging::withCanals(terrain::Tooth(model)).anatomy == pictured);  // found once
+        QVERIFY(imaging::withCanals(terrain::Tooth(model)).anatomy == pictured);  // computed once
         QVERIFY(pictured->top == model->top);
         QVERIFY(pictured->bottom == model->bottom);
         float deepest = 0.0F;
@@ -54,7 +54,7 @@ private slots:
             ++changed;
             deepest = std::min(deepest, is.pulpFloor);
             QVERIFY(is.pulpFloor - model->bottom[k] > 0.5F);
-            // Nothing else changes, nor does anything that a bur can reach.
+            // The layers change nowhere else, in particular where a bur can reach.
             terrain::ColumnLayers same = is;
             same.pulpRoof = was.pulpRoof;
             same.pulpFloor = was.pulpFloor;
@@ -65,9 +65,9 @@ private slots:
                 QVERIFY(static_cast<double>(is.pulpRoof) <= reachMm + 1e-3);
         }
         QVERIFY(changed > 20);
-        // They end near the apex.
+        // The canals end near the apex.
         QVERIFY2(deepest - lowest < 2.0F, qPrintable(QString("%1 over %2").arg(deepest).arg(lowest)));
-        // Each root has one, the mesial root of a lower molar two, and no more are there.
+        // Each root has one canal, the mesial root of a lower molar has two, and there are no others.
         QCOMPARE(canalsAt(*pictured, lowest + 4.5F), roots);
     }
 
@@ -78,7 +78,7 @@ private slots:
     }
 
 private:
-    /// Islands of columns that have pulp at a height.
+    /// Returns the number of islands of columns that have pulp at a height.
     static int canalsAt(const terrain::ToothAnatomy& anatomy, float height)
     {
         std::vector<std::uint8_t> isLeft(anatomy.top.size());
@@ -100,7 +100,7 @@ private:
                 isLeft[k] = 0;
                 const int i = static_cast<int>(k) % side;
                 const int j = static_cast<int>(k) / side;
-                // A canal that is one column wide somewhere may fall apart by a few columns.
+                // A canal that is one column wide somewhere may be interrupted by a few columns.
                 for (int b = j - 4; b <= j + 4; ++b)
                     for (int a = i - 4; a <= i + 4; ++a)
                         if (anatomy.grid.contains(a, b) && isLeft[anatomy.grid.index(a, b)] != 0)

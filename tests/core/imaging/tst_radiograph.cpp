@@ -27,14 +27,14 @@ namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2.0;
 
-/// 64 x 64 cells of 0.1 mm around the origin, top 0, bottom -10, all enamel: 6.4 x 6.4 x 10 mm.
+/// Returns 64 x 64 cells of 0.1 mm around the origin, top 0, bottom -10, all enamel: 6.4 x 6.4 x 10 mm.
 std::shared_ptr<ToothAnatomy> enamelBlock()
 {
     return support::slab(-10.0F);
 }
 
-/// Half a cell to the pixel, and pixels that begin where a cell begins: beside the edges of the columns nothing changes
-/// within a pixel of a beam along an axis, so that the sum over pixels is the integral and no estimate of it.
+/// Casts a shadow whose pixels are half a cell wide and begin where a cell begins. For a beam along an axis, nothing
+/// changes within a pixel except at the edges of columns, so the sum over the pixels is the exact integral.
 Shadow alignedShadowOf(const Tooth& tooth, const Beam& beam, const PerMaterial& perMm)
 {
     const std::array<XrayedTooth, 1> one{{{&tooth}}};
@@ -73,7 +73,7 @@ double total(const Shadow& shadow)
     return sum * shadow.pixelMm * shadow.pixelMm;
 }
 
-/// The pixel in which a point of the tooth frame is seen.
+/// Returns the attenuation at the pixel that shows a point of the tooth frame.
 float at(const Shadow& shadow, double u, double v)
 {
     return shadow.at(static_cast<int>((u - shadow.area.lowMm.x) / shadow.pixelMm),
@@ -203,7 +203,7 @@ private slots:
 
     void eachTissueHasItsTone()
     {
-        // Four quarters along x, of enamel, dentin, decay and pulp all through, and air beside them.
+        // Four quarters along x, of enamel, dentin, decay and pulp through the full height, with air around.
         auto anatomy = enamelBlock();
         const ColumnLayers quarters[]{
             {0.0F, 0.0F, 10.0F, 0.0F, 0.0F}, {1.0F, -11.0F, 10.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 10.0F, 1.0F, -11.0F}};
@@ -226,7 +226,7 @@ private slots:
         const Shadow whole = shadowOf(before, {}, 0.05);
         const Shadow cut = shadowOf(now, {}, 0.05);
         QVERIFY(light(cut, 0.0, -1.5) < light(whole, 0.0, -1.5));
-        // 24 of 64 cells of enamel are air there: 0.28 * 2.4 less.
+        // Of 64 cells of enamel 24 are air there: 0.28 * 2.4 less.
         QVERIFY(near(static_cast<double>(at(whole, 0.0, -1.5)) - static_cast<double>(at(cut, 0.0, -1.5)), 0.28 * 2.4,
                      1e-5));
         QCOMPARE(at(cut, 0.0, -4.0), at(whole, 0.0, -4.0));
@@ -237,7 +237,7 @@ private slots:
     {
         const Tooth tooth(enamelBlock());
         const std::array<XrayedTooth, 1> one{{{&tooth}}};
-        // Inside the block every ray runs through 6.4 mm.
+        // Inside the block every ray passes through 6.4 mm.
         const Shadow shadow = castShadow(one, {}, {{-3.0, -9.0}, {3.0, -1.0}}, 0.02);
         const auto deviationAt = [&](double exposure) {
             double sum = 0.0;
@@ -274,7 +274,7 @@ private slots:
             QVERIFY(now > before);
             before = now;
         }
-        // Unexposed it is fogged, and no exposure makes it blacker than black.
+        // An unexposed film is fogged, and no exposure makes it blacker than the maximum.
         QVERIFY(near(opticalDensity(0.0, 0.05), 0.2, 1e-9));
         QVERIFY(near(opticalDensity(1.0e9, 0.05), 3.0, 1e-9));
     }
@@ -296,7 +296,7 @@ private slots:
 
     void neighboursTouch()
     {
-        // Seen from above, the nearest columns of two teeth lie beside each other: neither apart nor one in the other.
+        // Seen from above, the nearest columns of two teeth touch: the teeth neither overlap nor are apart.
         const auto outline = [](const XrayedTooth& xrayed) {
             std::vector<glm::dvec2> nodes;
             support::eachNode(xrayed.tooth->grid(), [&](std::size_t k, const glm::dvec2& node) {

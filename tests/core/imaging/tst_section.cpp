@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2.0;
 
-/// Its pulp is a box from -1.2 to 1.2, its decay one from -0.2 to 0.2.
+/// A block whose pulp is a box from -1.2 to 1.2, and whose decay is a box from -0.2 to 0.2.
 std::shared_ptr<ToothAnatomy> blockWithPulp()
 {
     return support::decayedSlab(30, 33);
@@ -124,7 +124,7 @@ private slots:
     {
         const auto anatomy = blockWithPulp();
         Tooth tooth(anatomy);
-        // A ramp of 30 degrees or so along a direction that is no axis.
+        // A ramp of about 30 degrees in a direction that is not along an axis.
         const auto ramp = [](glm::dvec2 at) { return -1.0 + 0.5 * at.x - 0.25 * at.y; };
         support::eachNode(anatomy->grid,
                           [&](std::size_t k, const glm::dvec2& at) { tooth.top[k] = static_cast<float>(ramp(at)); });
@@ -141,7 +141,7 @@ private slots:
 
     void aPlaneRunsWhereItsAngleSays()
     {
-        // Mesio-distal, bucco-lingual, half way.
+        // Mesio-distal, bucco-lingual, and half-way between.
         for (const auto& [angleRad, throughY, point, along] :
              {std::tuple(0.0, -0.7, glm::dvec2(1.5, -0.7), 1.5),
               {kRightAngle, -0.7, glm::dvec2(0.4, 2.5), 2.5},
@@ -190,7 +190,7 @@ private slots:
         const imaging::Section section = imaging::sectionOf(tooth, {at, 0.0}, at.x, at.x + half, 2, &ideal);
         QVERIFY(isClose(section.samples[0].idealTopMm, section.samples[0].originalTopMm - 0.1F));
         QVERIFY(isClose(section.samples[1].idealTopMm, section.samples[1].originalTopMm - 0.105F));
-        // What is to be cut through has no height, and gives its neighbours none.
+        // A column that the ideal cuts through has no height, and does not contribute to its neighbours.
         const glm::dvec2 hole = anatomy->grid.nodeMm(40, 32);
         const imaging::Section through = imaging::sectionOf(tooth, {hole, 0.0}, hole.x - 0.8 * half, hole.x, 2, &ideal);
         QCOMPARE(through.samples[1].idealTopMm, kEmptyTop);
@@ -227,7 +227,7 @@ private slots:
     {
         const ToothAnatomy& anatomy = *support::builtTooth(36);
         const imaging::PulpChamber pulp(anatomy);
-        // A slow second way to find the distance: the pulp as points, one cell apart sideways and 0.02 mm in height.
+        // A slow search for the distance: the pulp as points, one cell apart sideways and 0.02 mm in height.
         std::vector<glm::dvec3> points;
         support::eachNode(anatomy.grid, [&](std::size_t k, const glm::dvec2& at) {
             for (double z = -14.0; z < 0.0; z += 0.02)
@@ -243,7 +243,7 @@ private slots:
             for (const glm::dvec3& point : points)
                 least = std::min(least, glm::length(point - from));
             const double found = glm::length(pulp.nearest(from).value() - from);
-            // Half the diagonal of a cell is what the points miss sideways.
+            // The points may miss the nearest place by half the diagonal of a cell sideways.
             QVERIFY2(found <= least + 1.0e-6 && found >= least - 0.75 * anatomy.grid.cellMm - 0.02,
                      qPrintable(QString("%1, slowly %2").arg(found).arg(least)));
         }
@@ -254,8 +254,8 @@ private slots:
         const auto anatomy = blockWithPulp();
         Tooth tooth(anatomy);
         const imaging::PulpChamber pulp(*anatomy);
-        // Expects the dentin above the pulp and the distances to it, straight down and shortest. No value: no pulp
-        // below.
+        // Expects the dentin above the pulp, the distance straight down to the pulp and the shortest one. Without a
+        // value: there is no pulp below.
         const auto reads = [&](const glm::dvec3& tip, std::optional<double> dentin, std::optional<double> down,
                                double shortest) {
             const imaging::DepthReading found = imaging::readDepth(tooth, pulp, tip);
@@ -265,21 +265,21 @@ private slots:
                    isClose(found.downToPulpMm.value_or(0.0), down.value_or(0.0)) &&
                    isClose(found.toPulpMm.value(), shortest);
         };
-        // Over the middle, beside the decay: a cut down to -2.5 leaves 2.5 mm of dentin over the pulp.
+        // Above the middle, beside the decay, a cut down to -2.5 leaves 2.5 mm of dentin over the pulp.
         const glm::dvec2 at = anatomy->grid.nodeMm(25, 32);
         float& top = tooth.top[anatomy->grid.index(25, 32)];
         top = -2.5F;
         QVERIFY(reads({at, -2.5}, 2.5, 2.5, 2.5));
         QVERIFY(isClose(imaging::readDepth(tooth, pulp, {at, -2.5}).depthMm, 2.5));
-        // Decay between is no dentin: under it 2 mm are left, 4 mm down from -1.
+        // Decay in between does not count as dentin: under it 2 mm are left, 4 mm down from -1.
         QVERIFY(reads({anatomy->grid.nodeMm(31, 31), -1.0}, 2.0, 4.0, 4.0));
-        // In the pulp nothing is left.
+        // In the pulp, no distance is left.
         top = -5.5F;
         QVERIFY(reads({at, -5.5}, 0.0, 0.0, 0.0));
-        // Where no pulp lies below, there is only the way in any direction: 1 mm sideways and 1 mm down from here.
+        // Where there is no pulp below, only the shortest distance is known: 1 mm sideways and 1 mm down from here.
         const glm::dvec2 beside = anatomy->grid.nodeMm(9, 32) - glm::dvec2(0.05, 0.0);
         QVERIFY(reads({beside, -4.0}, std::nullopt, std::nullopt, std::sqrt(1.1 * 1.1 + 1.0)));
-        // The head of the bur, a ball of 0.5 mm, is nearer than its tip where the pulp lies beside it.
+        // Where the pulp is beside the bur, its head, a ball of 0.5 mm, is nearer to it than the tip.
         QVERIFY(isClose(imaging::readDepth(tooth, pulp, {beside, -5.5}, 0.5).toPulpMm.value(), 0.6));
     }
 

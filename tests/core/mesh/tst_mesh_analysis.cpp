@@ -37,7 +37,7 @@ bool close(double a, double b, double relative)
     return support::near(a, b, relative * std::max(std::abs(a), std::abs(b)));
 }
 
-/// A tooth of the coarsest kind: a broad crown over one narrow root, mm, crown up, 18 long.
+/// Returns a very coarse tooth: a broad crown over one narrow root, mm, crown up, 18 long.
 TriangleMesh plainTooth()
 {
     TriangleMesh mesh = support::insideOut(support::cone(4.5F, -12.0F, 48));
@@ -98,7 +98,7 @@ private slots:
 
     void shellsInsideOutAreTurned_data()
     {
-        // Of each shell the one that it lies in, or -1.
+        // For each shell, the index of the shell around it, or -1.
         support::columns<TriangleMesh, QList<int>, double, int, double>("mesh", "inside", "volume", "turned",
                                                                         "volumeAfter");
         const TriangleMesh box = support::box(2.0F, 3.0F, 4.0F);
@@ -138,10 +138,10 @@ private slots:
     {
         TriangleMesh mesh = support::box(1.0F, 1.0F, 1.0F);
         mesh.vertices.emplace_back(0.5F, 0.0F, 0.0F);
-        mesh.vertices.emplace_back(7.0F, 7.0F, 7.0F);  // used by none
+        mesh.vertices.emplace_back(7.0F, 7.0F, 7.0F);  // belongs to no triangle
         mesh.triangles.push_back({0, 0, 1});           // collapsed
-        mesh.triangles.push_back({0, 8, 1});           // in a line
-        mesh.triangles.push_back({4, 5, 6});           // again
+        mesh.triangles.push_back({0, 8, 1});           // degenerate: its corners are on a line
+        mesh.triangles.push_back({4, 5, 6});           // a duplicate
         const MeshFacts facts = factsOf(mesh);
         QCOMPARE(facts.collapsedFaces, std::size_t(1));
         QCOMPARE(facts.zeroAreaFaces, std::size_t(2));
@@ -243,7 +243,7 @@ private slots:
             TriangleMesh mesh = plainTooth();
             for (glm::vec3& v : mesh.vertices) {
                 v = crown[1] == 'x' ? glm::vec3(v.z, v.x, v.y) : crown[1] == 'y' ? glm::vec3(v.y, v.z, v.x) : v;
-                v = crown[0] == '+' ? v : -v;  // mirrored too: no matter here
+                v = crown[0] == '+' ? v : -v;  // this mirrors the mesh too, which does not matter here
             }
             if (crown[0] == '-')
                 mesh = support::insideOut(std::move(mesh));
@@ -270,7 +270,7 @@ private slots:
         TriangleMesh box = support::box(10.0F, 10.0F, 10.0F);
         placement = findPlacement(box, factsOf(box), {});
         QVERIFY(placement && placement->up == Axis::PlusZ);
-        QVERIFY(!placement->warnings.empty());  // nobody can tell
+        QVERIFY(!placement->warnings.empty());  // the orientation is uncertain
         QVERIFY(placement->upDoubtful && !placement->unitDoubtful);
     }
 
@@ -329,7 +329,7 @@ private slots:
 
     void warnsOfASizeThatNoToothHas()
     {
-        // A scan in cm that someone calls mm, one in mm that they call cm, and sizes that a tooth has.
+        // A scan in cm that is declared as mm, one in mm declared as cm, and plausible sizes.
         for (const auto& [sizeUnits, mmPerUnit, says] :
              {std::tuple(2.1F, 1.0, "less than"), {8.5F, 10.0, "more than"}, {21.0F, 1.0, ""}, {2.1F, 10.0, ""}})
             for (const bool keepFrame : {false, true}) {

@@ -26,7 +26,7 @@ using core::mesh::TriangleMesh;
 
 namespace {
 
-/// Corner positions, triangle by triangle: equal whatever way the vertices were shared.
+/// Returns the corner positions, triangle by triangle. They do not depend on how vertices are shared.
 std::vector<glm::vec3> corners(const TriangleMesh& mesh)
 {
     std::vector<glm::vec3> list;
@@ -44,7 +44,7 @@ std::string binaryStlHeader(std::uint32_t count)
     return bytes;
 }
 
-/// One triangle as a binary STL record with the given first coordinate.
+/// Returns one triangle as a binary STL record with the given first coordinate.
 std::string stlRecord(float x)
 {
     TriangleMesh mesh;
@@ -53,7 +53,8 @@ std::string stlRecord(float x)
     return support::asBinaryStl(mesh).substr(84);
 }
 
-/// In each format whose bytes may follow a byte order mark; a binary STL begins with a header of fixed length.
+/// Returns the mesh in each format whose bytes may follow a byte order mark. A binary STL begins with a header of fixed
+/// length.
 std::vector<std::pair<MeshFormat, std::string>> filesOf(const TriangleMesh& mesh)
 {
     return {{MeshFormat::Obj, support::asObj(mesh)},
@@ -70,7 +71,7 @@ glm::dvec2 polar(double radius, double turns)
     return radius * glm::dvec2(std::cos(2.0 * std::numbers::pi * turns), std::sin(2.0 * std::numbers::pi * turns));
 }
 
-/// One polygon as an OBJ whose single face lies in the x-y, y-z or z-x plane.
+/// Returns one polygon as an OBJ file whose single face is in the x-y, y-z or z-x plane.
 std::string asObj(const Outline& outline, int axis = 2)
 {
     std::string text;
@@ -95,7 +96,7 @@ bool isInside(const Outline& outline, const glm::dvec2& p)
     return odd;
 }
 
-/// A ring with a gap: two arms that wind around each other the number of times given.
+/// Returns a ring with a gap: two arms that wind around each other the given number of times.
 Outline spiral(int turns)
 {
     Outline outline;
@@ -209,7 +210,8 @@ private slots:
         QTest::newRow("round") << round;
     }
 
-    /// A fan covers some places of a concave polygon twice or leaves it; against the even-odd rule at random points.
+    /// Triangulates concave polygons, which a simple fan would cover twice or leave. Compares with the even-odd rule at
+    /// random points.
     void polygonsAreCoveredOnce()
     {
         QFETCH(Outline, outline);
@@ -246,7 +248,7 @@ private slots:
 
     void polygonsOfManyCorners()
     {
-        // A wavy outline: half its corners are notches in one file, none in the other.
+        // A wavy outline: half of its corners are notches in one file, and none in the other.
         const auto wavy = [](int count, double wave) {
             Outline outline;
             for (int k = 0; k < count; ++k)
@@ -257,7 +259,7 @@ private slots:
             const auto file = readMesh(asObj(wavy(count, wave)), MeshFormat::Obj, "base.obj");
             QVERIFY(support::succeeds(file));
             QCOMPARE(file->mesh.triangles.size(), static_cast<std::size_t>(count - 2));
-            double boxes = 0.0;  // what the rasteriser will have to look at; a fan: half the outline for every corner
+            double boxes = 0.0;  // total area of bounding boxes; in a fan, half the outline for every corner
             for (const auto& t : file->mesh.triangles) {
                 const glm::vec2 a(file->mesh.vertices[t[0]]);
                 const glm::vec2 b(file->mesh.vertices[t[1]]);
@@ -295,7 +297,7 @@ private slots:
         const auto thin = readMesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n", MeshFormat::Obj, "test.obj");
         QVERIFY(thin);
         QCOMPARE(thin->warnings.size(), std::size_t(1));
-        // Whole records beyond the count: the header is as likely to be wrong as they are.
+        // There are more whole records than the header states: either may be wrong.
         for (const auto& [bytes, triangles, says] :
              {std::tuple("solid" + box.substr(5), 12U, ""),
               {box + "trailing\x01", 12U, "9 bytes after the last triangle passed over"},
@@ -312,7 +314,7 @@ private slots:
     void badBytes_data()
     {
         support::columns<MeshFormat, QByteArray, ErrorCode, QString>("format", "bytes", "code", "says");
-        // Each is named by its format.
+        // The first letter of each name selects the format.
         const auto add = [](const char* name, const std::string& bytes, ErrorCode code, const char* says) {
             const MeshFormat format = *name == 'o' ? MeshFormat::Obj : *name == 's' ? MeshFormat::Stl : MeshFormat::Ply;
             QTest::newRow(name) << format << QByteArray::fromStdString(bytes) << code << QString::fromLatin1(says);
@@ -421,7 +423,7 @@ private slots:
                                          {path("mesh.xyz"), ErrorCode::WrongKind},
                                          {path("huge.stl"), ErrorCode::FileTooLarge}})
             QVERIFY(support::isRefused(readMesh(file), code));
-        // The extension decides, in any case.
+        // The extension decides the format, in upper or lower case.
         const TriangleMesh mesh = support::box(1, 2, 3);
         for (const auto& [name, bytes, isRead] : {std::tuple("a.OBJ", support::asObj(mesh), true),
                                                   {"a.Stl", support::asBinaryStl(mesh), true},

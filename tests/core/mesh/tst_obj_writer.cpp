@@ -13,7 +13,7 @@
 
 namespace {
 
-/// What is written of a tetrahedron. How files are replaced, and what cannot be, is tested of writeWhole().
+/// Writes a tetrahedron and returns the file's text. The tests of writeWhole() cover replacing files and failures.
 std::string written(const std::string& comment)
 {
     const QTemporaryDir folder;

@@ -33,8 +33,8 @@ BlockDesign designOf(BlockShape shape)
 
 struct Sum
 {
-    double areaMm2 = 0.0;    ///< of what is cut
-    double volumeMm3 = 0.0;  ///< of what is cut
+    double areaMm2 = 0.0;    ///< of the cut columns
+    double volumeMm3 = 0.0;  ///< of the cut columns
 };
 
 Sum sumOf(const Block& block)
@@ -49,21 +49,21 @@ Sum sumOf(const Block& block)
     return sum;
 }
 
-/// Of a channel: area and length of all its edges, from the shape's own dimensions.
+/// Area and total edge length of a channel, from the dimensions of the shape.
 struct Expected
 {
     double areaMm2 = 0.0;
     double edgeMm = 0.0;
 };
 
-/// Worked by hand from the figures of a design; corners reached into are round, corners gone round are sharp.
+/// Computes the values from the dimensions of a design. Inner corners are round, outer corners sharp.
 Expected expectedOf(const BlockDesign& d)
 {
     const double w = d.widthMm;
     const double l = d.lengthMm;
     const double r = d.cornerRadiusMm;
-    const double corner = (1.0 - kPi / 4.0) * r * r;  // what rounding takes from a right angle
-    const double shorter = 2.0 * r - kPi / 2.0 * r;   // and from its edge
+    const double corner = (1.0 - kPi / 4.0) * r * r;  // area that rounding removes from a right angle
+    const double shorter = 2.0 * r - kPi / 2.0 * r;   // and the edge length that it removes
     const double end = 0.5 * l - r;
     const double inside = 0.5 * w - r;
     switch (d.shape) {
@@ -76,7 +76,7 @@ Expected expectedOf(const BlockDesign& d)
     case BlockShape::Square:
         return {l * l - (l - 2.0 * w) * (l - 2.0 * w) - 4.0 * corner, 4.0 * l + 4.0 * (l - 2.0 * w) - 4.0 * shorter};
     case BlockShape::Dovetail: {
-        // The axis' region dilated by r (Steiner); at the four bends into the neck two strips overlap.
+        // The region of the axis dilated by r (Steiner's formula). At the four bends into the neck two strips overlap.
         const double slant = std::hypot(w, d.flareMm);
         const double bend = std::atan2(d.flareMm, w);
         const double area = 2.0 * inside * 2.0 * end + 2.0 * d.flareMm * w;
@@ -120,7 +120,7 @@ private slots:
         const auto odd = teeth::buildTooth(teeth::parseSource("block:spiral"), {});
         QVERIFY(support::isRefused(odd, ErrorCode::UnknownName));
         QVERIFY(support::isRefused(odd, "block:cross"));
-        // A shape asked of something else than its block is a mistake that must show.
+        // A shape that does not match its block must be refused.
         const auto tooth = teeth::buildTooth({36}, {});
         QVERIFY(!blockPreparation({}, *tooth->anatomy));
     }
@@ -152,7 +152,7 @@ private slots:
                 }
     }
 
-    /// Whole columns are cut or not, so that an edge that runs along the lattice may err by half a cell.
+    /// A column is cut or not, so an edge along the lattice may be off by half a cell.
     void shapeHoldsWhatItsFiguresSay()
     {
         QFETCH(int, shape);
@@ -164,7 +164,7 @@ private slots:
         const Expected expected = expectedOf(design);
         const double slackMm2 = 0.5 * block->anatomy->grid.cellMm * expected.edgeMm;
         QVERIFY(support::near(sum.areaMm2, expected.areaMm2, slackMm2));
-        // The rounded edge between floor and wall keeps (1 - pi/4) c^2 of each mm, a little less where the wall bends.
+        // The rounded edge between floor and wall leaves (1 - pi/4) c^2 per mm, slightly less where the wall bends.
         const double c = design.lineAngleMm;
         const double volume = expected.areaMm2 * design.depthMm - expected.edgeMm * (1.0 - kPi / 4.0) * c * c;
         const double slackMm3 = slackMm2 * design.depthMm + 0.02 * c * c * expected.edgeMm;
@@ -178,7 +178,7 @@ private slots:
         const auto block = makeBlock(design, 300);
         QVERIFY(block);
         for (int step = 0; step < 4; ++step)
-            // In the middle of each step, and just after the riser that leads down to it.
+            // Checks the middle of each step, and just after the riser that leads down to it.
             for (const double share : {0.5, 0.15}) {
                 const double x = -4.5 + (step + share) * 9.0 / 4.0;
                 const std::size_t k = support::nodeAt(block->anatomy->grid, {x, 0.0});
@@ -203,7 +203,7 @@ private slots:
             const std::size_t k = support::nodeAt(block->anatomy->grid, {pits[n].xMm, 0.0});
             QVERIFY(support::near(static_cast<double>((*block->ideal.top)[k]), -pits[n].depthMm, 1e-6));
             QVERIFY(block->ideal.parts[k] == Part::Floor);
-            // The rounded edge keeps (1 - pi/4) c^2 along a circle a little smaller than the pit.
+            // The rounded edge leaves (1 - pi/4) c^2 along a circle slightly smaller than the pit.
             volumeMm3 += kPi * 0.7 * 0.7 * pits[n].depthMm - 2.0 * kPi * (0.7 - 0.22 * c) * (1.0 - kPi / 4.0) * c * c;
         }
         const double slack = 0.5 * block->anatomy->grid.cellMm * 2.0 * kPi * 0.7 * 5.0;
@@ -238,7 +238,7 @@ private slots:
                 floorMm2 += static_cast<double>(anatomy.areaMm2[k]);
                 floors.push_back(floor);
             }
-            // The very edge of the window is a wall.
+            // The outermost edge of the window is a wall.
             QVERIFY(thinnestMm >= 0.8 - 1e-6 && thinnestMm < 0.95);
             QVERIFY(thickestMm <= 1.8 + 1e-6 && thickestMm > 1.65);
             QVERIFY(floorMm2 > 0.8 * 5.0 * 4.0);
@@ -277,8 +277,8 @@ private slots:
                 QTest::newRow(teeth::blockName(static_cast<BlockShape>(k)).c_str()) << k;
     }
 
-    /// A disc of the bur's radius that holds the column lies within the shape. Discs are laid at nodes only, so that
-    /// the right one may be missed by a node's width.
+    /// Every cut column is in a disc of the bur's radius within the shape. Discs are tried at nodes only, so the right
+    /// one may be missed by up to a cell.
     void everyColumnIsInReachOfTheBur()
     {
         QFETCH(int, shape);
@@ -366,7 +366,7 @@ private slots:
                 }
             for (int a = 0; a <= 1000; ++a)
                 nearest = std::min(nearest, std::hypot(p.x + 3.0 - 0.001 * a, p.y - 0.002 * a));
-            // What is nearest may lie between the points that were tried: a diagonal of theirs further.
+            // The nearest point may be between the sampled points, at most a diagonal of the sampling further.
             QVERIFY(std::abs(region.distance(p) - nearest) < 0.02 * std::numbers::sqrt2);
         }
     }

@@ -33,7 +33,7 @@ std::shared_ptr<const terrain::ToothAnatomy> molar(std::uint64_t seed = 0, int s
     return teeth::buildTooth({36}, options)->anatomy;
 }
 
-/// The Class I by rule, cut.
+/// Returns a tooth cut to the ideal Class I preparation.
 terrain::Tooth classOne(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy)
 {
     const auto made = makePreparation(Kind::ClassOne, *fittedDesign(Kind::ClassOne, *anatomy), *anatomy);
@@ -46,7 +46,7 @@ Result<CapturedIdeal> captured(const terrain::Tooth& tooth, const Tolerances& to
     return capture(std::span(&one, 1), tolerances, {"by hand.cusprec"});
 }
 
-/// The file of a small ideal.
+/// Returns the bytes of a small ideal.
 std::string smallFile()
 {
     return toBytes(*captured(classOne(molar(0, 64))));
@@ -77,7 +77,7 @@ private slots:
         QCOMPARE(again->sources, std::vector<std::string>{"by hand.cusprec"});
         const auto preparation = preparationOf(*again, *anatomy);
         QVERIFY(preparation);
-        // Bit for bit what was cut, but for what is no deeper than a brush.
+        // The heights are those of the cut bit for bit, except cuts no deeper than a brush.
         std::size_t cut = 0;
         for (std::size_t k = 0; k < tooth.top.size(); ++k) {
             const bool isCut = preparation->parts[k] != Part::Keep;
@@ -96,7 +96,7 @@ private slots:
         QVERIFY(ideal && ideal->isthmus);
         const auto made = makePreparation(Kind::ClassOne, *fittedDesign(Kind::ClassOne, *anatomy), *anatomy);
         QVERIFY(ideal->isthmus->atMm == made->isthmus->atMm);
-        // A pit elsewhere has none.
+        // A pit elsewhere has no isthmus.
         terrain::Tooth pit(anatomy);
         support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& at) {
             if (pit.isSolid(k) && at.x < anatomy->grid.nodeMm(30, 0).x - 0.001)
@@ -169,7 +169,7 @@ private slots:
         for (char& byte : noise)
             byte = static_cast<char>(rng.next() & 0xFFU);
         QVERIFY(support::isRefused(capturedFrom(noise), ErrorCode::WrongKind));
-        // With a head that is right, the checksum tells; and with that right, too, what it holds.
+        // With a valid header, the checksum detects the damage; with a valid checksum too, the content does.
         noise.replace(0, 12, smallFile(), 0, 12);
         QVERIFY(!capturedFrom(noise));
         QTemporaryDir folder;
@@ -202,7 +202,7 @@ private slots:
         QVERIFY(readCaptured(path));
     }
 
-    /// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew: as saved, and with what is packed taken apart.
+    /// With CUSP_REWRITE_CORPUS=1, writes the seeds of the fuzzer again: as saved, and with the packed part unpacked.
     void corpusOfTheFuzzerIsHarmless()
     {
         if (support::rewritesSeeds()) {
@@ -213,7 +213,7 @@ private slots:
         QVERIFY(support::forEachSeed("ideal", fuzz::exerciseIdeal));
     }
 
-    /// A straight trench with upright walls: what closed form says.
+    /// A straight trench with vertical walls, compared with its closed form.
     void theBandOfATrenchIsAsWideAsItsTolerance()
     {
         teeth::BlockDesign design;
@@ -224,7 +224,7 @@ private slots:
         constexpr double kOutlineMm = 0.3;
         constexpr double kDepthMm = 0.2;
         const ToleranceBand band = toleranceBand(anatomy, block.ideal, kOutlineMm, kDepthMm);
-        // Across the middle of the trench: widths of what may be cut and what must be.
+        // Widths across the middle of the trench: of the ideal, of what may be cut, and of what must be cut.
         double idealMm = 0.0;
         double mayMm = 0.0;
         double mustMm = 0.0;

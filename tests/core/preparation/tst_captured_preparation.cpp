@@ -25,7 +25,7 @@ Block practiceBlock(teeth::BlockShape shape = teeth::BlockShape::Line)
     return *makeBlock(design);
 }
 
-/// The ideal, cut so much too deep.
+/// Returns the tooth cut to the ideal, but deeper by this much.
 terrain::Tooth attemptAt(const Block& practiceBlock, float tooDeepMm)
 {
     terrain::Tooth tooth(practiceBlock.anatomy);
@@ -79,7 +79,7 @@ private slots:
         const terrain::Grid& grid = line.anatomy->grid;
         const std::size_t aside = grid.index(grid.side / 2, grid.side / 4);
         slipped.top[aside] = -0.7F;
-        // One of three slipped there, and each brushed another place.
+        // One of three attempts slipped there, and all of them brushed another place.
         std::vector<terrain::Tooth> attempts{slipped, attemptAt(line, 0.0F), attemptAt(line, 0.0F)};
         const std::size_t brushed = grid.index(grid.side / 2, 3 * grid.side / 4);
         for (terrain::Tooth& attempt : attempts)
@@ -88,13 +88,13 @@ private slots:
         QVERIFY(ideal);
         QVERIFY(ideal->parts[aside] == Part::Keep && (*ideal->top)[aside] == 0.0F);
         QVERIFY(ideal->parts[brushed] == Part::Keep && (*ideal->top)[brushed] == 0.0F);
-        // Two of three are most; one of two is not.
+        // Two of three are a majority, one of two is not.
         attempts[1].top[aside] = -0.9F;
         QVERIFY(std::abs((*average(attempts)->top)[aside] + 0.8F) < 1e-6F);
         attempts.pop_back();
         attempts[1].top[aside] = 0.0F;
         QVERIFY(average(attempts)->parts[aside] == Part::Keep);
-        // Most went right through.
+        // Most attempts went through the tooth.
         for (terrain::Tooth& attempt : attempts)
             attempt.top[aside] = terrain::kEmptyTop, attempt.bottom[aside] = terrain::kEmptyBottom;
         QVERIFY((*average(attempts)->top)[aside] == terrain::kEmptyTop);
@@ -102,7 +102,7 @@ private slots:
 
     void ofTwoTheMeanOutlineDecides()
     {
-        // Round cuts, one wider than the other and beside it: theirs is the one between.
+        // Round cuts, one wider and offset to the side: the average is between them.
         const Block plain = practiceBlock();
         const terrain::Grid& grid = plain.anatomy->grid;
         const glm::dvec2 middle = grid.middleMm();
@@ -121,7 +121,7 @@ private slots:
             QVERIFY(isIn == (fromEdgeMm < 0.0) || std::abs(fromEdgeMm) < 1.5 * grid.cellMm);
         });
         QVERIFY2(others < 30, qPrintable(QString::number(others)));
-        // What one of the two did elsewhere, far from the other's work, is a slip.
+        // A cut that only one of two attempts has, far from the other's cut, counts as a slip.
         terrain::Tooth slipped = round(1.7, 0.0);
         const std::size_t aside = grid.index(grid.side / 2, grid.side / 8);
         slipped.top[aside] = -1.0F;
@@ -157,7 +157,7 @@ private slots:
         QVERIFY(built);
         const auto rule = makePreparation(Kind::ClassOne, *usualDesign(Kind::ClassOne, 36), *built->anatomy);
         QVERIFY(rule);
-        // Seven attempts, each wrong by its own amount everywhere, 0.05 mm one way or the other.
+        // Seven attempts, each with its own constant error of up to 0.05 mm in either direction.
         constexpr std::uint64_t kSeed = 5;
         Rng rng(kSeed);
         std::vector<terrain::Tooth> attempts;
@@ -190,7 +190,7 @@ private slots:
         QVERIFY(support::isRefused(average({}), "none"));
         QVERIFY(support::isRefused(average({attemptAt(line, 0.0F), terrain::Tooth(cross.anatomy)}), "block:layers"));
         QVERIFY(support::isRefused(average({terrain::Tooth(line.anatomy)}), "no place"));
-        // The same tooth built a second time is the same tooth.
+        // A tooth that is built again counts as the same tooth.
         QVERIFY(average({attemptAt(line, 0.0F), attemptAt(practiceBlock(), 0.2F)}));
     }
 };

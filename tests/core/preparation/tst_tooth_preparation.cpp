@@ -43,24 +43,24 @@ Result<Preparation> usual(Kind kind, int fdi, std::uint64_t seed = 0, int side =
     return makePreparation(kind, *design, *anatomyOf(fdi, seed, side));
 }
 
-/// What is cut, found column by column.
+/// Measurements of a preparation, taken column by column.
 struct Findings
 {
     double volumeMm3 = 0.0;
     double areaMm2 = 0.0;
     double floorMm2 = 0.0;
-    double shallowestMm = 1.0e9;  ///< floor below the surface, fissures filled
+    double shallowestMm = 1.0e9;  ///< depth of the floor below the surface with its fissures filled
     double deepestMm = 0.0;
     double meanMm = 0.0;
-    double leastDentinMm = 1.0e9;  ///< of floor in dentin, below the junction; negative: in enamel
+    double leastDentinMm = 1.0e9;  ///< least depth of the floor below the junction; negative: in enamel
     double mostDentinMm = -1.0e9;
-    double inDentinShare = 0.0;  ///< of the floor's area
-    double ridgeMm = 1.0e9;      ///< from what is cut to the mesial or distal outline
+    double inDentinShare = 0.0;  ///< share of the floor's area
+    double ridgeMm = 1.0e9;      ///< from the cut to the mesial or distal outline
     double overPulpMm = 0.0;
     double highestFloorMm = -1.0e9;
     double lowestFloorMm = 1.0e9;
-    int islands = 0;  ///< connected pieces of what is cut
-    int holes = 0;    ///< connected pieces of what is not, less one
+    int islands = 0;  ///< connected pieces of the cut
+    int holes = 0;    ///< connected pieces of the uncut area, less one
 };
 
 /// Returns the number of connected parts of the cut area, or of the uncut area.
@@ -88,7 +88,7 @@ Findings find(const Preparation& ideal, const terrain::ToothAnatomy& anatomy, co
 {
     const terrain::Grid& grid = anatomy.grid;
     Findings found;
-    // The proximal surfaces: what of the outline lies in the mesial and distal quarter.
+    // The proximal surfaces: the outline in the mesial and distal quarters.
     std::vector<glm::dvec2> proximal;
     if (form != nullptr)
         for (const glm::dvec2& p : form->outline(2000))
@@ -126,7 +126,7 @@ Findings find(const Preparation& ideal, const terrain::ToothAnatomy& anatomy, co
     return found;
 }
 
-/// Shortest run of cut columns across the isthmus.
+/// Returns the shortest run of cut columns across the isthmus.
 double isthmusOf(const Preparation& ideal, const terrain::Grid& grid)
 {
     const auto isCut = [&](glm::dvec2 p) {
@@ -150,7 +150,7 @@ double isthmusOf(const Preparation& ideal, const terrain::Grid& grid)
     return narrowest;
 }
 
-/// A preparation that was cut, against an ideal.
+/// Returns the deviation of one preparation, cut into the tooth, from another one as the ideal.
 grading::Deviation deviationOf(const Preparation& cut, const Preparation& ideal,
                                const std::shared_ptr<const terrain::ToothAnatomy>& anatomy)
 {
@@ -173,7 +173,7 @@ private slots:
                     QTest::addRow("%d seed %d", fdi, seed) << fdi << seed;
     }
 
-    /// The limits are those of docs/teeth.md; depths are of every column of the floor, not of the groove alone.
+    /// The limits are those of docs/teeth.md. Depths are those of every column of the floor, not of the groove alone.
     void classOneIsWhatTheBooksAskFor()
     {
         QFETCH(int, fdi);
@@ -192,13 +192,13 @@ private slots:
         const double width = ideal->isthmus ? isthmusOf(*ideal, anatomy->grid) : 0.0;
         if (fdi != 34) {
             QVERIFY(ideal->isthmus.has_value());
-            // A short one is widened by the rounds into its dovetails.
+            // A short isthmus is widened by the rounding into its dovetails.
             QVERIFY2(width > design->isthmusMm - anatomy->grid.cellMm && width < design->isthmusMm + 0.6,
                      qPrintable(QString::number(width)));
         }
         QVERIFY(found.meanMm > 1.4 && found.meanMm < 2.2);
         QVERIFY(found.shallowestMm > 0.85 && found.deepestMm < 3.0);
-        // The pits of 34 lie close to its lingual side, where enamel fills the column.
+        // The pits of 34 are close to its lingual side, where enamel fills the column.
         QVERIFY(found.mostDentinMm < 1.25 && found.inDentinShare > (fdi == 34 ? 0.25 : 0.6));
         QVERIFY(found.ridgeMm >= design->ridgeMm - 0.01 && design->ridgeMm >= 0.8 - 1e-9);
         QVERIFY(found.overPulpMm >= 1.2);
@@ -225,7 +225,7 @@ private slots:
                         for (const glm::dvec2& p : crest)
                             nearest = std::min(nearest, glm::distance(p, at));
                 });
-                // Where two strokes join, the round takes a little of what each of them leaves.
+                // Where two strokes join, the rounding removes a little of the ridge that each of them leaves.
                 QVERIFY2(nearest > usualDesign(Kind::ClassOne, fdi)->obliqueMm - 0.2,
                          qPrintable(QString("%1 seed %2: %3 mm").arg(fdi).arg(seed).arg(nearest)));
             }
@@ -257,7 +257,7 @@ private slots:
             QCOMPARE(found.highestFloorMm, best.highestFloorMm);
             QVERIFY(std::abs(found.areaMm2 / best.areaMm2 - 1.0) < (side == 64 ? 0.08 : 0.04));
             QVERIFY(std::abs(found.volumeMm3 / best.volumeMm3 - 1.0) < (side == 64 ? 0.08 : 0.04));
-            // A node is cut on one grid and its neighbour on the other is not: only beside the outline.
+            // A node may be cut on one grid and its neighbour on the other not, but only next to the outline.
             support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& node) {
                 const bool isCut = ideal->parts[k] != Part::Keep;
                 const glm::ivec2 at(glm::round(fine->grid.latticeOf(node)));
@@ -301,7 +301,7 @@ private slots:
         };
         for (const double width : {1.2, 1.6, 2.2}) {
             const double wide = isthmusOf(made(&ToothDesign::isthmusMm, width), anatomy->grid);
-            // The rounds into grooves and dovetails widen it a little.
+            // The rounding into grooves and dovetails widens the isthmus slightly.
             QVERIFY2(wide > width - anatomy->grid.cellMm && wide < width + 0.15,
                      qPrintable(QString("%1, not %2").arg(wide).arg(width)));
         }
@@ -316,7 +316,7 @@ private slots:
         QVERIFY(widensBy(&ToothDesign::grooveMm, 1.5) > 1.0);
     }
 
-    /// Along the groove out of the mesial end the wall rises with the angle asked for.
+    /// Along the groove from the mesial end, the wall rises at the specified angle.
     void endWallsLeanAsAsked()
     {
         const auto anatomy = anatomyOf(37, 0, 600);
@@ -326,7 +326,7 @@ private slots:
             design.divergeDeg = degrees;
             const auto ideal = makePreparation(Kind::ClassOne, design, *anatomy);
             QVERIFY(ideal);
-            // The row that reaches furthest to the mesial side.
+            // Finds the row that reaches furthest to the mesial side.
             int first = grid.side;
             int j = 0;
             for (int k = 0; k < grid.side * grid.side; ++k)
@@ -388,7 +388,7 @@ private slots:
         const Findings found = find(*ideal, *anatomy, &*form);
         QVERIFY(found.overPulpMm >= 0.5);
         QVERIFY(found.highestFloorMm - found.lowestFloorMm > design->boxFloorMm - 1e-4);
-        // The outermost columns of that side are cut, those of the other side are not.
+        // On the side of the box the outermost columns are cut, on the other side they are not.
         double reach[2] = {0.0, 0.0};
         double tooth[2] = {0.0, 0.0};
         double gingivalMm2 = 0.0;
@@ -409,7 +409,8 @@ private slots:
         });
         QVERIFY(reach[0] > tooth[0] - 0.5);
         QVERIFY(reach[1] < tooth[1] - 0.9);
-        // Of the box' plan the part under the bulge, whose bottom lies higher than the gingival floor, is gone wholly.
+        // The columns of the box under the bulge, whose bottom is higher than the gingival floor, are cut through
+        // completely.
         const double plan = design->boxWidthMm * design->boxAxialMm;
         QVERIFY2(gingivalMm2 > 0.15 * plan && gingivalMm2 < 1.1 * plan,
                  qPrintable(QString::number(gingivalMm2 / plan)));
@@ -430,7 +431,8 @@ private slots:
         const Findings found = find(*ideal, *anatomy, &*form);
         QCOMPARE(found.islands, 1);
         QVERIFY(found.overPulpMm >= 2.0);
-        // Within the box, open to its side, and 0.5 below the place where the tooth is widest.
+        // The cut is within the box, which is open to its side, and its floor is 0.5 below the widest part of the
+        // tooth.
         const grading::Preparation::Box& box = *ideal->box;
         QVERIFY(box.outwards.x * (isMesial ? -1.0 : 1.0) > 0.9);
         const glm::dvec2 across{-box.outwards.y, box.outwards.x};
@@ -499,7 +501,7 @@ private slots:
         QTest::newRow("step to the buccal") << static_cast<int>(Kind::ClassOneBuccal);
     }
 
-    /// What is cut 0.3 mm farther in, or 0.4 mm lower, is off by so much and by nothing else.
+    /// A cut 0.3 mm farther in, or 0.4 mm lower, has exactly that error and no other.
     void aBoxIsMeasuredAgainstItsIdeal()
     {
         QFETCH(int, kind);
@@ -522,7 +524,7 @@ private slots:
         QVERIFY2(std::abs(higher - 0.2) < 0.01 && std::abs(shallow) < 0.15, qPrintable(QString::number(shallow)));
     }
 
-    /// The shell that is left before the neighbour is no axial wall.
+    /// The shell that is left before the neighbour does not count as an axial wall.
     void aShellBeforeABoxIsNoWall()
     {
         const auto anatomy = anatomyOf(36);
@@ -546,7 +548,8 @@ private slots:
             QVERIFY(!ideal.obliqueCrest.empty());
             const auto left = deviationOf(ideal, ideal, anatomy).form.obliqueRidgeMm;
             QVERIFY(left && left->value > 2.0 * usualDesign(Kind::ClassOne, fdi)->obliqueMm - 0.1);
-            // Cut 0.2 mm wider on both sides, it is so much narrower; a trench across it leaves nothing.
+            // If the cut is 0.2 mm wider on both sides, the ridge is narrower by as much. A trench across the ridge
+            // leaves nothing of it.
             std::vector<float> wider = *ideal.top;
             std::vector<float> through = *ideal.top;
             const glm::dvec2 middle = ideal.obliqueCrest[ideal.obliqueCrest.size() / 2];
@@ -585,7 +588,7 @@ private slots:
                     if (!terrain::hasPulp(*anatomy, k))
                         continue;
                     const terrain::ColumnLayers& column = anatomy->layers[k];
-                    // No roof stays over the chamber, and nothing of its floor goes.
+                    // The roof over the chamber is removed completely, and its floor is not cut.
                     if (static_cast<double>(column.pulpRoof) > highest - 2.0) {
                         roofMm2 += static_cast<double>(anatomy->areaMm2[k]);
                         QVERIFY((*ideal->top)[k] <= column.pulpRoof);
@@ -631,7 +634,8 @@ private slots:
             QTest::newRow(std::to_string(fdi).c_str()) << fdi;
     }
 
-    /// 2.0 mm over functional cusps, 1.5 mm over the others and over the mouth of the central groove.
+    /// The reduction is 2.0 mm over functional cusps, and 1.5 mm over the others and over the mouth of the central
+    /// groove.
     void reductionFollowsTheCusps()
     {
         QFETCH(int, fdi);
@@ -656,7 +660,7 @@ private slots:
                     qPrintable(
                         QString("seed %1, cusp %2: %3").arg(seed).arg(int(lobe.cusp)).arg(depthAt({lobe.x, lobe.y}))));
             }
-            // Along the central groove, from its mouth.
+            // Measures along the central groove, from its mouth.
             double sumMm = 0.0;
             int count = 0;
             for (double x = -1.5; x <= 1.5; x += 0.1, ++count) {
@@ -668,7 +672,7 @@ private slots:
                 sumMm += form->mouthMm(groove) - static_cast<double>((*ideal->top)[k]);
             }
             QVERIFY2(support::near(sumMm / count, 1.5, 0.2), qPrintable(QString::number(sumMm / count)));
-            // Nothing is steeper than 45 degrees, and no fissure is left: no place lies lower than both its sides.
+            // Nothing is steeper than 45 degrees and no fissure is left: no place is lower than both its sides.
             const terrain::Grid& grid = anatomy->grid;
             const int run = static_cast<int>(std::ceil(0.3 / grid.cellMm));
             const auto floorAt = [&](int i, int j) -> std::optional<double> {
@@ -719,7 +723,7 @@ private slots:
 
     void impossibleWishesAreRefused()
     {
-        // A scan says nothing of its fissures.
+        // The fissures of a scan are unknown.
         auto scan = std::make_shared<terrain::ToothAnatomy>(*anatomyOf(36));
         scan->name = "molar.stl";
         QVERIFY(support::isRefused(makePreparation(Kind::ClassOne, {}, *scan), "molar.stl"));

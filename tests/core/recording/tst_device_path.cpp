@@ -17,7 +17,8 @@ namespace {
 
 const std::string kHeader = "t_s,x_mm,y_mm,z_mm,drill\n";
 
-/// One sentence: begins with a capital, ends with a full stop, stays on its line and shows nothing unprintable.
+/// Returns whether the text is one sentence: it begins with a capital letter, ends with a full stop, is on one line and
+/// has no unprintable characters.
 bool isASentence(const std::string& text)
 {
     const QString sentence = QString::fromStdString(text);
@@ -160,7 +161,7 @@ private slots:
         const auto path = parseDevicePath("t_s,x_mm,y_mm,z_mm\n0,1,2,3\n", false);
         QVERIFY(path);
         QCOMPARE(path->points[0].drill, false);
-        // Where it is, it is still read and checked.
+        // If the column is there, it is read and checked.
         QVERIFY(!parseDevicePath(kHeader + "0,1,2,3,x\n", false));
     }
 
@@ -194,7 +195,8 @@ private slots:
 
     void blocksOfAFileMayEndAnywhere()
     {
-        // Read in blocks: longer and longer first cells move every place of a line across their borders.
+        // The file is read in blocks. First cells of growing length move every part of a line across the block
+        // boundaries.
         const QTemporaryDir folder;
         for (const char* lineEnd : {"\n", "\r\n", "\r"}) {
             for (int shift = 0; shift < 30; ++shift) {
@@ -223,7 +225,7 @@ private slots:
     void interpolatesAtAnyRate()
     {
         QFETCH(double, rateHz);
-        // A path at uneven times; the slow obvious way is to look for the segment anew each time.
+        // A path at uneven times. The slow method searches the segment for each time.
         recording::DevicePath path;
         for (int n = 0; n < 200; ++n) {
             const double t = 7.0 + 0.01 * n + 0.004 * std::sin(n);
@@ -280,7 +282,8 @@ private slots:
             double rateHz;
             std::uint64_t ticks;
         };
-        // A second; tenths, whose times round; other rates; part of a period. Times as a file has them, begun anywhere.
+        // Durations: a second; tenths, whose times are rounded; other rates; part of a period. The times begin at an
+        // arbitrary value, as in a file.
         for (const Span& span : {Span{1.0, 1000.0, 1001}, Span{0.1, 1000.0, 101}, Span{0.3, 1000.0, 301},
                                  Span{0.7, 250.0, 176}, Span{0.7, 4000.0, 2801}, Span{0.0105, 1000.0, 11}}) {
             recording::DevicePath path;

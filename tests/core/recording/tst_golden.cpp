@@ -21,24 +21,24 @@ namespace {
 
 const QString kGolden = QStringLiteral(CUSP_SOURCE_DIR "/tests/golden/attempt.cusprec");
 
-/// What the golden attempt leaves, with every compiler, build type and processor. If a change of the engine is meant to
-/// change it: tests/golden/README.md.
+/// Final state hash of the golden attempt, the same with every compiler, build type and processor. If a change of the
+/// engine is meant to change it, see tests/golden/README.md.
 constexpr std::uint64_t kStateHash = 0x04A17E80EA46B9F9;
 constexpr std::uint64_t kTicks = 8571;
 
-/// The attempt that the golden file holds: all burs, two handpieces, all layers, a wall cut from the side, the rim
-/// bored through, a lost device, missed beats, undo, redo.
+/// Records the attempt of the golden file: all burs, two handpieces, all layers, a wall cut from the side, the rim
+/// bored through, a lost device, missed ticks, undo, redo.
 recording::Recording makeAttempt()
 {
     core::servo::ServoSettings settings;
     settings.handpieces.push_back(settings::findHandpiece("low-speed").value());
     support::Rig rig(settings);
     rig.drill(support::syntheticMolar(80));
-    // Through the lesion into dentin and pulp.
+    // Cuts through the lesion into dentin and pulp.
     rig.send(core::servo::SetBur{1});
     rig.lean(support::kLesionX, support::kLesionY, 3.0, 3500);
     rig.lift();
-    // A trench along the fissure, side-cutting.
+    // Cuts a trench along the fissure with the side of the bur.
     rig.send(core::servo::SetBur{3});
     for (int n = 0; n < 1500; ++n) {
         const double x = 0.3 - 0.0012 * n;
@@ -48,7 +48,7 @@ recording::Recording makeAttempt()
     rig.run(20);
     rig.device.present = true;
     rig.lift();
-    // The thin rim gives way.
+    // Cuts through the thin rim.
     rig.send(core::servo::SetBur{2});
     for (int n = 0; n < 1500; ++n)
         rig.lean(4.95, 0.0005 * n, 3.0, 1);
@@ -73,7 +73,7 @@ recording::Recording makeAttempt()
 
 }  // namespace
 
-/// The bits of a replay do not depend on the build. CTest runs this a second time with CUSP_PLAIN_KERNELS=1.
+/// The bits of a replay must not depend on the build. CTest runs this test a second time with CUSP_PLAIN_KERNELS=1.
 
 class TestGolden : public QObject
 {

@@ -32,34 +32,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beats both its threads.
+/// Ticks both loops of the journal once.
 void beat(JournalLoop& journal)
 {
     journal.tick(JournalLoop::kPeriod);
     journal.syncing().tick(JournalLoop::kPeriod);
 }
 
-/// Lets eight seconds of the journal's time pass: it rests for less after a failure.
+/// Lets eight seconds of the journal's time pass. After a failure it pauses for less than that.
 void pass(JournalLoop& journal)
 {
     for (int n = 0; n < 200; ++n)
         journal.tick(JournalLoop::kPeriod);
 }
 
-/// An attempt and its journal.
+/// An attempt with its journal.
 struct Work
 {
     support::Rig rig;
     std::unique_ptr<JournalLoop> journal;
 
-    /// Of a small block, with the drill on; without a lesson's name nothing is begun yet.
+    /// Begins an attempt on a small block with the drill on. Without a lesson, the attempt is not begun.
     explicit Work(const fs::path& folder, const char* lesson = "")
         : journal(std::make_unique<JournalLoop>(*rig.session, folder))
     {
         if (lesson != nullptr)
             rig.drill(support::smallBlock(), 1, lesson);
     }
-    /// Cuts for so many ticks, and lets the journal beat as in the program.
+    /// Cuts for this many ticks, and ticks the journal as often as the program does.
     void cut(int ticks, double x = 0.0)
     {
         for (int n = 0; n < ticks; ++n) {
@@ -134,7 +134,7 @@ private slots:
         beat(*work.journal);
         QVERIFY(files().empty());
         QVERIFY(!fs::exists(m_path));
-        // With the first cut it is written from the beginning.
+        // The first cut starts the journal, from the beginning of the attempt.
         rig.send(SetDrill{true});
         work.cut(200);
         QCOMPARE(files().size(), 1U);
@@ -178,14 +178,14 @@ private slots:
             begun = found.begunUtcMs;
             Work work(m_path, nullptr);
             support::Rig& rig = work.rig;
-            rig.open(support::smallBlock());  // the tooth that lies there to begin with
+            rig.open(support::smallBlock());  // the tooth at the start
             beat(*work.journal);
             const Recording before = found.recording;
             work.journal->takeUp(2, std::move(found));
             rig.resume(before, 2);
             QCOMPARE(rig.liveHash(), left);
             beat(*work.journal);
-            QCOMPARE(files().size(), 1U);  // the new one has taken the place of the old one
+            QCOMPARE(files().size(), 1U);  // the new file has replaced the old one
             rig.send(SetDrill{true});
             work.cut(200, 0.7 * life);
             work.settle();
@@ -215,7 +215,7 @@ private slots:
         QVERIFY(gone && !*gone);
     }
 
-    /// As when somebody logs in with work on the table: the journal begins, and what was left unfinished is looked for.
+    /// Looks for unfinished attempts while a journal is being created, as when a user logs in during work.
     void whoeverLooksTakesNothingThatIsBeingMade()
     {
         Work work(m_path);
@@ -253,7 +253,7 @@ private slots:
         for (std::size_t length = 0; length < whole.size(); ++length) {
             const auto read = recording::attemptFrom(std::string_view(whole).substr(0, length));
             if (!read) {
-                QCOMPARE(last, 0U);  // once there is something, more bytes never make it less
+                QCOMPARE(last, 0U);  // once it is readable, a longer file never contains less
                 QVERIFY(read.error().detail.ends_with('.'));
                 continue;
             }
@@ -266,7 +266,7 @@ private slots:
         }
         QVERIFY2(lengths > 5 && events.size() - last < 100,
                  qPrintable(QString("%1 lengths, %2 of %3 events").arg(lengths).arg(last).arg(events.size())));
-        // Anything behind it takes nothing away.
+        // Additional bytes at the end do no harm.
         QCOMPARE(eventsOf(recording::attemptFrom(whole + std::string(1000, '\0'))->recording).size(), events.size());
         QCOMPARE(eventsOf(recording::attemptFrom(whole + whole)->recording).size(), events.size());
     }
@@ -286,7 +286,7 @@ private slots:
                 if (!read)
                     continue;
                 const std::vector<ServoEvent> part = eventsOf(read->recording);
-                // The version says only which Cusp wrote it: the events of another that is read are the same.
+                // The version only says which Cusp wrote the file. A supported version has the same events.
                 const bool isVersion = at >= kMagicBytes && at < kMagicBytes + sizeof(std::uint32_t);
                 QVERIFY2((isVersion || part.size() < events.size()) && isPrefix(part, events),
                          qPrintable(QString("byte %1, bit %2").arg(at).arg(bit)));
@@ -322,13 +322,13 @@ private slots:
         QFETCH(QByteArray, bytes);
         QFETCH(ErrorCode, code);
         QVERIFY(support::isRefused(recording::attemptFrom(bytes.toStdString()), code));
-        // And a file of it names itself.
+        // If the bytes are in a file, the error names the file.
         const fs::path path = m_path / "1-1.cuspjournal";
         support::write(path, bytes.toStdString());
         QVERIFY(support::isRefused(recording::findAttempt(path), "1-1.cuspjournal"));
     }
 
-    /// The newer program may still resume it: an attempt must not be cut short where an unknown bur is taken.
+    /// The newer program may still resume the attempt, so it must not be cut short at the unknown bur.
     void aBurOfANewerProgramIsSaidToBeNewer()
     {
         const fs::path path = m_path / "1-2.cuspjournal";
@@ -368,7 +368,7 @@ private slots:
         QVERIFY(!journal.failure());
         QVERIFY(journal.isWell());
         holdsAllOf(work);
-        // Taken up where there is no room, the old file is all there is, and stays.
+        // Resuming without room on the disk leaves the old file as the only one.
         journal.end();
         const std::string old = support::bytesOf(files().front());
         const fs::path path = m_path / "taken up" / "1-1.cuspjournal";
@@ -386,7 +386,7 @@ private slots:
         }
         QCOMPARE(recording::journalsIn(path.parent_path()), std::vector<fs::path>{path});
         QVERIFY(support::bytesOf(path) == old);
-        // From the beginning on there was no room.
+        // The disk is full from the beginning.
         Work other(m_path / "other");
         JournalLoop& nowhere = *other.journal;
         {
@@ -403,14 +403,14 @@ private slots:
 
     void aFolderThatCannotBeIsTold()
     {
-        support::write(m_path, {});  // where the folder would be
+        support::write(m_path, {});  // a file in place of the folder
         Work work(m_path);
         work.cut(400);
         const auto told = work.journal->failure();
         QVERIFY(told);
         QVERIFY(told->detail.ends_with('.'));
         QVERIFY(files().empty());
-        QVERIFY(work.rig.session->recordingSoFar()->ticks() > 390);  // work goes on
+        QVERIFY(work.rig.session->recordingSoFar()->ticks() > 390);  // the work continues
         work.journal->end();
         work.journal->putAway();
     }
@@ -419,7 +419,7 @@ private slots:
     {
         Work work(m_path);
         work.cut(200);
-        for (int n = 0; n < 20; ++n) {  // the disk sleeps for twenty seconds
+        for (int n = 0; n < 20; ++n) {  // the disk does not respond for twenty seconds
             work.rig.lean(0.1 * n, 0.0, 2.0, 700);
             work.rig.lift();
             work.rig.run(100);
@@ -466,7 +466,7 @@ private slots:
         const fs::path path = files().front();
         const fs::path part = path.string() + ".part";
         QVERIFY(fs::exists(part) && !fs::exists(path));
-        QVERIFY(!recording::findAttempt(path)->has_value());  // its program is at work on it
+        QVERIFY(!recording::findAttempt(path)->has_value());  // the program that writes it is still running
         const std::string young = support::bytesOf(part);
         journal->syncing().tick(40ms);
         QVERIFY(!fs::exists(part) && fs::exists(path));
@@ -475,7 +475,7 @@ private slots:
         const std::string old = support::bytesOf(path);
         journal.reset();
         const auto events = [](const std::string& bytes) { return recording::attemptFrom(bytes)->recording.events(); };
-        // Taken up and killed: the new file holds less than the old one, as much, or more.
+        // The program was killed after resuming: the new file holds less than the old one, as much, or more.
         for (const auto& [first, second] : {std::pair(old, young), std::pair(old, old), std::pair(young, old)}) {
             support::write(path, first);
             support::write(part, second);
@@ -485,14 +485,14 @@ private slots:
             QCOMPARE((*found)->recording.events(), events(old));
             QVERIFY(!fs::exists(part));
             QCOMPARE(recording::attemptFrom(support::bytesOf(path))->recording.events(), events(old));
-            QVERIFY(!recording::findAttempt(path)->has_value());  // locked, wherever it came from
+            QVERIFY(!recording::findAttempt(path)->has_value());  // locked, whichever file it was read from
         }
-        // The first file of all, never synced: as good as any.
+        // The very first file was never synced. It is used nevertheless.
         fs::remove(path);
         support::write(part, young);
         QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
         QVERIFY(fs::exists(path));
-        // A good new one beside a spoilt old one, and the other way round.
+        // A valid new file next to a damaged old one, and the other way round.
         support::write(path, "rubbish");
         support::write(part, young);
         QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
@@ -506,9 +506,9 @@ private slots:
         support::write(m_path / "1-1.cuspjournal.part", "CUSPJRN");
         QCOMPARE(files().size(), 1U);
         const auto found = recording::findAttempt(files().front());
-        QVERIFY(found && !*found);  // it held no moment: nothing to be told
+        QVERIFY(found && !*found);  // it has no moment, so there is nothing to report
         QVERIFY(files().empty());
-        recording::tidyJournals(m_path / "none");  // nothing there, nothing said
+        recording::tidyJournals(m_path / "none");  // a missing folder is no error
     }
 
     void whatIsLeftOutIsNotWritten()
@@ -522,7 +522,7 @@ private slots:
         work.journal->tick(JournalLoop::kPeriod);
         QVERIFY(rig.session->recordedSince(1, 0).isWorthKeeping);
         QVERIFY(files().empty());
-        // The next is again.
+        // The next attempt has a journal again.
         rig.lift();
         rig.drill(support::smallBlock(), 2);
         work.cut(130);
@@ -534,7 +534,7 @@ private slots:
 
     void aMinuteIsUnderAMegabyte()
     {
-        // The hand of TestRecording::minuteIsUnderAMegabyte, written as it goes.
+        // The hand of TestRecording::minuteIsUnderAMegabyte, with the journal written along the way.
         Work work(m_path);
         work.cut(100);
         work.settle();
@@ -557,7 +557,7 @@ private slots:
         QVERIFY(bytes < 1024 * 1024);
     }
 
-    /// CUSP_REWRITE_CORPUS=1 makes the fuzzer's seed anew.
+    /// With CUSP_REWRITE_CORPUS=1, writes the seed of the fuzzer again.
     void corpusOfTheFuzzerIsHarmless()
     {
         if (support::rewritesSeeds())
@@ -566,7 +566,7 @@ private slots:
     }
 
 private:
-    /// The only file holds each event of the attempt, and the journal says so.
+    /// Checks that the only file holds each event of the attempt, and that the journal reports it.
     void holdsAllOf(const Work& work) const
     {
         const Recording made = work.rig.session->recordingSoFar().value();
@@ -576,7 +576,7 @@ private:
     }
 
     [[nodiscard]] std::vector<fs::path> files() const { return recording::journalsIn(m_path); }
-    /// A journal of a short attempt, as its bytes.
+    /// Returns the bytes of the journal of a short attempt.
     [[nodiscard]] std::string shortJournal() const
     {
         Work work(m_path, "lesson");

@@ -19,7 +19,7 @@ using recording::Recording;
 
 namespace {
 
-/// Restless work with undo, redo, other burs and missed beats, notes, ended and taken up again.
+/// Records random motion with undo, redo, other burs, missed ticks and notes. The attempt is ended and resumed once.
 Recording attempt(int ticks)
 {
     std::optional<Recording> left;
@@ -57,7 +57,7 @@ Recording attempt(int ticks)
     return *left;
 }
 
-/// The top map after each tick that can be asked for exactly, the state after each that is kept.
+/// The top map after each tick for which the player is exact, and the state after each tick that it keeps.
 struct Truth
 {
     std::map<std::uint64_t, std::vector<float>> heights;
@@ -73,7 +73,7 @@ Truth truthOf(const Recording& made)
     made.forEach([&](const ServoEvent& event) {
         seconds += 1.0e-6 * event.dtUs;
         servo.play(event);
-        // Once more after what another tooth came by: the last word about a tick.
+        // A restored or resumed tooth belongs to the same tick and replaces the map stored for it.
         if (servo.tick() % Player::kTicksAPatch == 0 || event.kind == ServoEvent::Kind::Restore ||
             event.kind == ServoEvent::Kind::Resume)
             truth.heights[servo.tick()] = servo.tooth().tooth().top;
@@ -102,7 +102,7 @@ private slots:
         QVERIFY(!player->advance(1));
         QCOMPARE(player->readyTicks(), made.ticks());
         QCOMPARE(player->ticks(), made.ticks());
-        // In any order.
+        // Looks at random ticks.
         Rng rng(3);
         int cut = 0;
         for (int n = 0; n < 400; ++n) {
@@ -144,7 +144,7 @@ private slots:
             if (n == 2)
                 rig.give(session::Undo{});
         }
-        rig.lean(0.0, 1.0, 2.0, 60);  // cut short by an undo
+        rig.lean(0.0, 1.0, 2.0, 60);  // interrupted by an undo
         rig.send(session::Undo{});
         rig.settle();
         rig.device.tipMm.z = 5.0F;
@@ -162,7 +162,7 @@ private slots:
             QVERIFY(player->stateAt(strokes[n].from + Player::kTicksAPose).cutting);
             QVERIFY(!player->stateAt(strokes[n].to + Player::kTicksAPose).cutting);
             QVERIFY(n == 0 || strokes[n].from > strokes[n - 1].to);
-            // Nothing but a stroke changes the tooth, and an undo.
+            // Only strokes and undo change the tooth.
             QVERIFY(player->heightsAt(strokes[n].from - 1) != player->heightsAt(strokes[n].to - 1));
         }
         int undone = 0;
@@ -194,7 +194,7 @@ private slots:
             const std::uint64_t ready = player->readyTicks();
             if (ready < 100)
                 continue;
-            // Of the last patch an undo may still have a word to say.
+            // An undo may still change the last patch.
             const auto tick = static_cast<std::uint64_t>(rng.below(static_cast<int>(ready) - 32));
             const auto known = truth.heights.upper_bound(tick);
             if (known != truth.heights.begin() && player->heightsAt(tick) != std::prev(known)->second)

@@ -37,8 +37,8 @@ namespace {
 constexpr std::size_t kFileHeaderBytes = 12;
 using Spoil = std::function<void(terrain::ToothAnatomy&)>;
 
-/// A short attempt: a few ticks of cutting, another bur and handpiece, a lost reading, an undo, a lesson, an aid, a
-/// note.
+/// Records a short attempt: a few ticks of cutting, another bur and handpiece, a lost reading, an undo, a lesson, an
+/// aid, a note.
 Recording shortAttempt(core::servo::ServoSettings settings = {})
 {
     settings.handpieces.push_back(settings::findHandpiece("low-speed").value());
@@ -59,7 +59,7 @@ Recording shortAttempt(core::servo::ServoSettings settings = {})
     return rig.session->recordingSoFar().value();
 }
 
-/// The same, cut as before there were flat ends and full loads.
+/// Records the same attempt with settings from before flat ends and full loads existed.
 Recording attemptAsBefore()
 {
     core::servo::ServoSettings settings;
@@ -88,7 +88,7 @@ std::array<std::uint32_t, 3> bitsOf(const glm::vec3& v)
     return {std::bit_cast<std::uint32_t>(v.x), std::bit_cast<std::uint32_t>(v.y), std::bit_cast<std::uint32_t>(v.z)};
 }
 
-/// Equal to the last bit of every position, NaN included.
+/// Returns whether all events are equal, every position to the last bit, NaN included.
 bool sameBits(const Recording& a, const Recording& b)
 {
     const std::vector<ServoEvent> one = allEvents(a);
@@ -98,7 +98,7 @@ bool sameBits(const Recording& a, const Recording& b)
     });
 }
 
-/// One section of the file as Recording.cpp lays it out.
+/// Returns one section of the file in the layout of Recording.cpp.
 std::string section(std::uint32_t kind, std::string_view payload)
 {
     ByteWriter out;
@@ -109,7 +109,7 @@ std::string section(std::uint32_t kind, std::string_view payload)
     return out.bytes();
 }
 
-/// The same file with another payload in one of its sections.
+/// Returns the same file with another payload in one of its sections.
 std::string withSection(std::string_view file, std::uint32_t kind, std::string_view payload)
 {
     std::string bytes(file.substr(0, kFileHeaderBytes));
@@ -137,7 +137,7 @@ class TestRecording : public QObject
 {
     Q_OBJECT
 private slots:
-    /// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew: as saved, and with the sections unpacked.
+    /// With CUSP_REWRITE_CORPUS=1, writes the seeds of the fuzzer again: as saved, and with the sections unpacked.
     void initTestCase()
     {
         if (!support::rewritesSeeds())
@@ -182,7 +182,7 @@ private slots:
         const auto read = Recording::fromBytes(made.toBytes());
         QVERIFY(support::succeeds(read));
         QVERIFY(sameBits(made, *read));
-        // And such positions do not upset a replay.
+        // Such positions must not disturb a replay either.
         const auto outcome = recording::replay(*read);
         QVERIFY(outcome);
         QCOMPARE(outcome->stateHash, terrain::stateHash(terrain::Tooth(made.anatomy())));
@@ -190,7 +190,7 @@ private slots:
 
     void longAttemptComesBackEqual()
     {
-        // More than two packed chunks and a tail.
+        // More events than two packed chunks, and a rest.
         Recording made({}, support::smallBlock());
         support::RestlessHand hand(5);
         for (int n = 0; n < 10000; ++n) {
@@ -273,7 +273,7 @@ private slots:
         constexpr std::size_t kVersionAt = 8;
         for (std::size_t at = 0; at < bytes.size(); ++at) {
             for (const char flip : {char(1), char(-128), char(-1)}) {
-                // A newer version that is known reads the same: what it brought is optional.
+                // A supported newer version reads the same, because its additions are optional.
                 if (at == kVersionAt && (bytes[at] ^ flip) <= int(recording::kFormatVersion) &&
                     (bytes[at] ^ flip) > bytes[at])
                     continue;
@@ -285,7 +285,7 @@ private slots:
                 bytes[at] = static_cast<char>(bytes[at] ^ flip);
             }
         }
-        QCOMPARE(accepted, 0);  // every byte is under a checksum or means something
+        QCOMPARE(accepted, 0);  // every byte is protected by a checksum or has a meaning
     }
 
     void refusesStrangers_data()
@@ -330,7 +330,7 @@ private slots:
     void refusesBombs_data()
     {
         support::columns<int, QByteArray>("kind", "payload");
-        // A gigabyte of zeros packs into some ten kilobytes; a header may also lie about it outright.
+        // 256 MiB of zeros pack into some ten kilobytes. A header may also state a false size.
         const QByteArray bomb = QByteArray::fromStdString(zstd(std::string(std::size_t{256} * 1024 * 1024, '\0')));
         QByteArray lie = QByteArray::fromStdString(zstd(std::string(100, '\0')));
         // Frame header: descriptor with an 8-byte size, 2^62 bytes.
@@ -353,7 +353,8 @@ private slots:
         QVERIFY(support::isRefused(Recording::fromBytes(bytes), ErrorCode::BadStructure));
     }
 
-    /// Older programs go on reading what they know; what they do not is said to be newer, not damaged.
+    /// An older program still reads recordings without the new features. A recording with them is reported as newer,
+    /// not as damaged.
     void onlyAChangedFeelNeedsTheNewVersion()
     {
         Recording made = attemptAsBefore();
@@ -380,7 +381,7 @@ private slots:
         }
     }
 
-    /// What was recorded before there were flat ends and full loads says nothing of them, and replays without them.
+    /// A recording from before flat ends and full loads existed does not contain them, and replays without them.
     void onlyFlatEndsAndAFullLoadNeedTheirVersion()
     {
         const Recording before = attemptAsBefore();
@@ -394,7 +395,7 @@ private slots:
         const auto read = Recording::fromBytes(made.toBytes());
         QVERIFY(support::succeeds(read));
         QVERIFY(read->settings() == made.settings());
-        // A number that older programs do not know.
+        // A parameter that older programs do not know.
         Recording retuned = attemptAsBefore();
         retuned.append({ServoEvent::Kind::Number, 0, glm::vec3(0.0F),
                         core::servo::packNumber({static_cast<std::uint8_t>(core::servo::kServoNumbers - 1), 1.5F})});
@@ -446,7 +447,7 @@ private slots:
         QVERIFY(isAllowed ? support::succeeds(read) : support::isRefused(read, ErrorCode::BadStructure));
     }
 
-    /// A program with fewer burs must not call a sound recording damaged.
+    /// A program with fewer burs must not report a valid recording as damaged.
     void aBurOfANewerProgramIsSaidToBeNewer()
     {
         Recording made = recordingOf({{ServoEvent::Kind::Bur, 0, {}, bur::burs().size()}});
@@ -458,7 +459,7 @@ private slots:
 
     void refusesMoreUndoThanAnyoneMakes()
     {
-        // A few kilobytes that would keep a replay busy for hours.
+        // A few kilobytes that would take hours to replay.
         Recording made = recordingOf({{ServoEvent::Kind::Tick, 1000, {0.0F, 0.0F, 5.0F}, 0}});
         const std::uint64_t many = 1'000'000'000 / made.anatomy()->grid.count();
         for (std::uint64_t n = 0; n < many; ++n)
@@ -540,7 +541,7 @@ private slots:
 
     void minuteIsUnderAMegabyte()
     {
-        // A hand as devices give it: slow strokes, tremor of some 10 um at 8 to 12 Hz, noise of a micrometre.
+        // The motion of a typical device: slow strokes, tremor of some 10 um at 8 to 12 Hz, noise of a micrometre.
         Recording made({}, support::syntheticMolar());
         const std::size_t before = made.toBytes().size();
         Rng rng(1);

@@ -20,7 +20,7 @@ using recording::Recording;
 
 namespace {
 
-/// A tooth with every layer, thin enough to be bored through, in a grid of any size.
+/// Returns a tooth with every layer, thin enough to be bored through, on a grid of any size.
 std::shared_ptr<const terrain::ToothAnatomy> layeredTooth(int side)
 {
     support::Block block;
@@ -44,7 +44,7 @@ std::shared_ptr<const terrain::ToothAnatomy> layeredTooth(int side)
     return tooth;
 }
 
-/// Replays through the file's bytes and compares with what the servo really holds.
+/// Replays the recording from its bytes and compares the result with the tooth of the servo.
 void compareWithLive(support::Rig& rig)
 {
     rig.settle();
@@ -63,7 +63,7 @@ void compareWithLive(support::Rig& rig)
     QCOMPARE(outcome->state.forceN, rig.servo->state().forceN);
 }
 
-/// The usual, with every handpiece at hand.
+/// Returns the default settings with every handpiece.
 core::servo::ServoSettings withHandpieces()
 {
     core::servo::ServoSettings settings;
@@ -85,7 +85,7 @@ core::servo::ServoSettings settingsOf(const QString& method)
     return settings;
 }
 
-/// Drills a layered tooth of this many nodes a side.
+/// A rig that drills a layered tooth of this many nodes a side.
 struct ReplayedDrilling : support::Rig
 {
     explicit ReplayedDrilling(int side, const core::servo::ServoSettings& wanted = {}) : Rig(wanted)
@@ -128,16 +128,16 @@ std::vector<session::SessionCommand> anything(Rng& rng, const core::servo::Servo
     case 6:
         return commands(session::Undo{});
     case 7:
-        // Often more than one at once, and between the session's beats.
+        // Several steps at once, often between two ticks of the session.
         return commands(undoOrRedo(rng), undoOrRedo(rng), undoOrRedo(rng), undoOrRedo(rng));
     case 8:
         if (rng.below(8) == 0)
             return commands(session::ReplaceTooth{std::make_unique<terrain::Tooth>(anatomy), ++generation});
         return {};
     case 9:
-        return commands(core::servo::SetHandpiece{static_cast<std::uint8_t>(rng.below(4))});  // 3: there is none
+        return commands(core::servo::SetHandpiece{static_cast<std::uint8_t>(rng.below(4))});  // 3: does not exist
     case 10:
-        // Another tooth with another servo: softer, and with one handpiece less.
+        // Another tooth with other servo settings: softer, and with fewer handpieces.
         if (rng.below(8) == 0) {
             core::servo::ServoSettings other = settings;
             other.hardness = settings::findHardnessPreset(rng.below(2) == 0 ? "typodont" : "natural").value();
@@ -163,7 +163,7 @@ class TestReplay : public QObject
 {
     Q_OBJECT
 private slots:
-    /// Enamel grows softer and the spring stiffer in mid-stroke: the replay feels it at the same tick.
+    /// Enamel becomes softer and the spring stiffer during a stroke. The replay must change at the same tick.
     void changesOfFeel()
     {
         ReplayedDrilling rig(64);
@@ -172,7 +172,7 @@ private slots:
         const core::servo::ServoParameters was = core::servo::parametersOf({});
         for (std::size_t k = 0; k < core::servo::kServoNumbers; ++k)
             rig.send(core::servo::SetParameter{static_cast<std::uint8_t>(k), static_cast<float>(0.9 * was.at(k))});
-        rig.send(core::servo::SetParameter{2, 20.0F});  // the rate of enamel
+        rig.send(core::servo::SetParameter{2, 20.0F});  // the removal rate of enamel
         rig.send(core::servo::SetParameter{2, std::nanf("")});
         rig.send(core::servo::SetParameter{99, 1.0F});
         rig.lean(0.0, 0.0, 1.0, 100);
@@ -182,7 +182,7 @@ private slots:
         QVERIFY(made.isRetuned());
         int told = 0;
         made.forEach([&](const ServoEvent& event) { told += event.kind == ServoEvent::Kind::Number ? 1 : 0; });
-        QCOMPARE(told, static_cast<int>(core::servo::kServoNumbers) + 1);  // what is no number is not told
+        QCOMPARE(told, static_cast<int>(core::servo::kServoNumbers) + 1);  // an invalid value is not recorded
     }
 
     void aBurAtHalfItsSpeedTurnsAndCutsAtHalfThePace()
@@ -192,7 +192,7 @@ private slots:
         half.device.pedal = true;
         half.device.speedPercent = 50;
         for (support::Rig* rig : {static_cast<support::Rig*>(&full), static_cast<support::Rig*>(&half)})
-            rig->lean(0.0, 0.0, 1.0, 30);  // not so deep that the hand stops
+            rig->lean(0.0, 0.0, 1.0, 30);  // shallow enough that the hand does not stop
         const double ratio = removedMm3(half) / removedMm3(full);
         QVERIFY2(ratio > 0.3 && ratio < 0.7, qPrintable(QString::number(ratio)));
         for (support::Rig* rig : {static_cast<support::Rig*>(&full), static_cast<support::Rig*>(&half)}) {
@@ -202,7 +202,7 @@ private slots:
         QCOMPARE(half.servo->state().burRpm, 0.5 * full.servo->state().burRpm);
     }
 
-    /// The recording holds the speed that a pedal asked for, so the replay cuts the same tooth.
+    /// The recording holds the speed that the pedal set, so that the replay cuts the same tooth.
     void aPedalChangesTheSpeed()
     {
         ReplayedDrilling rig(100);
@@ -223,7 +223,7 @@ private slots:
         rig.session->recordingSoFar().value().forEach(
             [&](const ServoEvent& event) { told += event.kind == ServoEvent::Kind::Speed ? 1 : 0; });
         QCOMPARE(told, 4);
-        // Another attempt begins at the speed of the moment.
+        // A new attempt begins at the current speed.
         rig.drill(layeredTooth(64), 2);
         rig.follow(hand, 300);
         compareWithLive(rig);
@@ -245,7 +245,7 @@ private slots:
         compareWithLive(rig);
     }
 
-    /// Every bur there is, one after the other in one attempt.
+    /// Uses every bur, one after the other, in one attempt.
     void aChangeOfBurIsReplayed()
     {
         ReplayedDrilling rig(100);
@@ -299,7 +299,7 @@ private slots:
         for (std::size_t k = 0; k < hashes.size(); ++k) {
             rig.send(std::move(steps[k]));
             rig.settle();
-            rig.servo->tick(rig.period);  // takes the restored tooth
+            rig.servo->tick(rig.period);  // receives the restored tooth
             QCOMPARE(rig.liveHash(), hashes[k]);
             compareWithLive(rig);
         }
@@ -366,7 +366,7 @@ private slots:
         QTest::newRow("penalty") << "penalty" << 64;
     }
 
-    /// The program ends wherever it is; another takes the attempt up, with the hand wherever that is.
+    /// The program ends at any point, and another resumes the attempt with the hand at any place.
     void resumedAgainAndAgain()
     {
         QFETCH(QString, method);
@@ -376,7 +376,7 @@ private slots:
         std::optional<Recording> left;
         for (int life = 0; life < 6; ++life) {
             support::Rig rig(settingsOf(method));
-            if (life % 2 == 1) {  // which has done something else before
+            if (life % 2 == 1) {  // the program has done something else before
                 rig.drill(layeredTooth(side));
                 rig.follow(hand, 300);
             }
@@ -403,7 +403,7 @@ private slots:
         ReplayedDrilling rig(64);
         rig.send(core::servo::SetBur{2});
         rig.lean(0.0, 0.0, 2.0, 200);
-        // In the middle of a cut; bur and drill stay as they were.
+        // A new tooth in the middle of a cut. Bur and drill stay as they were.
         rig.open(layeredTooth(100), 2);
         QVERIFY(rig.servo->state().drillOn);
         QCOMPARE(rig.servo->state().burIndex, 2);
@@ -421,8 +421,8 @@ private slots:
         rig.lean(0.0, 0.0, 2.0, 200);
         rig.settle();
         const std::uint64_t before = rig.session->recordingSoFar()->ticks();
-        // The session has opened the tooth anew, the servo has not heard of it yet: the attempt so far is still the old
-        // one, and nothing is said about it that belongs to the new one.
+        // The session has opened the new tooth, but the servo has not received it yet. The recording is still that of
+        // the old attempt, without events of the new one.
         rig.send(session::ReplaceTooth{std::make_unique<terrain::Tooth>(anatomy), 2});
         rig.settle();
         const Recording between = rig.session->recordingSoFar().value();
@@ -439,21 +439,21 @@ private slots:
         rig.lean(0.0, 0.0, 1.0, 100);
         rig.lift();
         const std::uint64_t kept = rig.liveHash();
-        // The session sleeps for longer than the queue of events holds.
+        // The session sleeps for longer than the queue of events lasts.
         for (int n = 0; n < 20000; ++n) {
             rig.device.tipMm = {0.5F, 0.0F, n % 400 < 200 ? 2.0F : -0.4F};
             rig.servo->tick(rig.period);
         }
         QVERIFY((rig.uiLinks->servo.latest().health & core::servo::kRecordGap) != 0);
-        // It wakes; the student goes on, takes back and cuts again.
+        // It wakes, and the student continues, undoes twice and cuts again.
         rig.lift();
         rig.give(session::Undo{});
         rig.give(session::Undo{});
         QVERIFY(rig.liveHash() == kept || rig.session->toothSoFar().has_value());
         rig.lean(-0.5, 0.5, 2.0, 100);
         rig.lift();
-        // What is recorded is true as far as it goes: it reads back and replays, and claims nothing that it cannot
-        // show.
+        // The recording is valid up to the gap: it can be read and replayed, and contains nothing that cannot be
+        // reproduced.
         const Recording soFar = rig.session->recordingSoFar().value();
         QVERIFY(soFar.ticks() < rig.servo->state().tick);
         const auto read = Recording::fromBytes(soFar.toBytes());
@@ -475,8 +475,8 @@ private slots:
         QVERIFY(recording::replay(soFar)->agreesWithWitness);
         const std::uint64_t hash = rig.liveHash();
         const std::uint64_t end = soFar.ticks();
-        // The right hash; the hash of another tooth; a right hash at a wrong tick; at the first tick; at a tick that
-        // never comes.
+        // The right hash; the hash of another tooth; a right hash at a wrong tick; at the first tick; at a tick after
+        // the end.
         for (const auto& [tick, stateHash, isRight] : {std::tuple(end, hash, true),
                                                        {end, hash ^ 1U, false},
                                                        {std::uint64_t{10}, hash, false},

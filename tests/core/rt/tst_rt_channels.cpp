@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two shapes that carry data between threads, hammered by one writer and one reader.
+// Stress tests of the two channels between threads, with one writer and one reader.
 #include <QTest>
 
 #include <array>
@@ -57,7 +57,7 @@ private slots:
 
     void aTripleBufferIsNeverTornNorOlderThanBefore()
     {
-        // Every word of a published value is the same number, so a torn read shows.
+        // All words of a published value are the same number, which reveals a torn read.
         using Value = std::array<std::uint64_t, 32>;
         constexpr std::uint64_t kRounds = 50'000;
         core::rt::TripleBuffer<Value> buffer;

@@ -22,7 +22,7 @@ using namespace core::servo;
 
 namespace {
 
-/// With the drill on over a small block of enamel.
+/// A rig with the drill on over a small block of enamel.
 struct Drilling : support::Rig
 {
     explicit Drilling(const SessionMemory& memory = {}) : Rig({}, std::chrono::milliseconds(1), memory)
@@ -31,7 +31,7 @@ struct Drilling : support::Rig
     }
 };
 
-/// One stroke at (x, 0).
+/// Makes one stroke at (x, 0).
 void stroke(support::Rig& rig, double x)
 {
     rig.lean(x, 0.0, 2.0, 60);
@@ -99,7 +99,7 @@ private slots:
         Drilling rig;
         const std::uint64_t uncut = rig.liveHash();
         rig.device.pedal = true;
-        // Two cuts with a long way through the air between them, with the pedal pressed all the time.
+        // Makes two cuts with a long move through the air between them, with the pedal pressed all the time.
         rig.lean(-1.0, 0.0, 2.0, 300);
         rig.device.tipMm.z = 2.0F;
         rig.run(3 * StrokeDetector::kPauseTicks);
@@ -134,7 +134,7 @@ private slots:
             QCOMPARE(state(rig).undoSteps, static_cast<int>(n));
             QCOMPARE(state(rig).redoSteps, static_cast<int>(4 - n));
         }
-        rig.give(Undo{});  // one too many
+        rig.give(Undo{});  // one more than there are steps
         QCOMPARE(rig.liveHash(), hashes[0]);
         QCOMPARE(state(rig).removedMm3[1], 0.0);
         for (std::size_t n = 1; n <= 4; ++n) {
@@ -142,7 +142,7 @@ private slots:
             QCOMPARE(rig.liveHash(), hashes[n]);
         }
         QVERIFY(state(rig).removedMm3[1] > 0.01);
-        // A stroke after an undo begins a branch. There is nothing to redo, and a jump reaches the other branch.
+        // A stroke after an undo begins a branch. There is nothing to redo, and GoTo reaches the other branch.
         rig.give(Undo{});
         stroke(rig, 2.0);
         QCOMPARE(state(rig).redoSteps, 0);
@@ -185,7 +185,7 @@ private slots:
         const std::uint64_t half = rig.mirrorHash();
         QVERIFY(half != before);
         QCOMPARE(state(rig).undoSteps, 2);
-        // Lifted before the undo reaches the servo; what was cut in between belongs to nobody.
+        // The bur is lifted before the undo reaches the servo. What was cut in between is discarded.
         rig.send(Undo{});
         rig.settle();
         rig.device.tipMm.z = 5.0F;
@@ -213,7 +213,7 @@ private slots:
             }
         }
         const std::uint64_t before = rig.liveHash();
-        rig.give(GoTo{history::MomentId{12345}});  // nobody knows that one
+        rig.give(GoTo{history::MomentId{12345}});  // there is no such moment
         QCOMPARE(rig.liveHash(), before);
         const auto all = rig.session->historySoFar();
         QCOMPARE(all.size(), 41U);
@@ -240,10 +240,10 @@ private slots:
         QVERIFY(after[1].isCurrent);
         QCOMPARE(after[1].parent, after[0].id);
         QCOMPARE(after[1].removed.volumesMm3, state(rig).removedMm3);
-        // The moment is told when the pause after the stroke has made it one.
+        // A moment is created when the pause after the stroke is over.
         const double ticksS = 0.001 * static_cast<double>(rig.servo->state().tick);
         QVERIFY2(after[1].seconds > 0.15 && after[1].seconds <= ticksS, qPrintable(QString::number(after[1].seconds)));
-        // Starting again is a step that can be undone. A second time it does nothing.
+        // A restart is a step that can be undone. A second restart has no effect.
         for (int n = 0; n < 2; ++n) {
             rig.give(Reload{});
             QCOMPARE(rig.liveHash(), uncutHash());
@@ -263,7 +263,7 @@ private slots:
     {
         Drilling rig;
         stroke(rig, 0.0);
-        // The servo goes on cutting while the session has already handed over the restored tooth.
+        // The servo continues to cut while the session has already sent the restored tooth.
         rig.send(Undo{});
         for (int n = 0; n < 100; ++n) {
             rig.device.tipMm = {1.0F, 0.0F, -0.5F};
@@ -282,7 +282,7 @@ private slots:
         Drilling rig;
         rig.lean(0.0, 0.0, 2.0, 30);
         rig.send(anotherBlock(7));
-        // The bur is inside it, pressed and turning: it does nothing before it has been out.
+        // The bur is inside the new tooth, pressed and turning. It has no effect until it has been outside.
         rig.lean(0.0, 0.0, 2.0, 100);
         QVERIFY((rig.uiLinks->servo.latest().health & kBegunInside) != 0);
         QCOMPARE(rig.uiLinks->servo.latest().forceN, glm::dvec3(0.0));
@@ -309,7 +309,7 @@ private slots:
         rig.run(30);
         QVERIFY(!rig.session->toothSoFar().has_value());
         QVERIFY(!rig.session->recordingSoFar().has_value());
-        rig.send(anotherBlock(1));  // and one that nobody takes is freed
+        rig.send(anotherBlock(1));  // a tooth that is never used is freed
     }
 
     void aHoleIsToldUntilItIsTakenBack()
@@ -348,7 +348,7 @@ private slots:
     void depthIsToldOverTheToothOnly()
     {
         support::Block crown;
-        // Flat on top, falling off at 80 degrees from 2 mm on, with an overhang of 4 mm of air below its rim.
+        // Flat on top, with a slope of 80 degrees from 2 mm on, and an overhang with 4 mm of air below its rim.
         crown.bottomMm = -6.0;
         crown.topMm = [](double x, double y) {
             const double r = std::sqrt(x * x + y * y);
@@ -366,7 +366,7 @@ private slots:
             QVERIFY2(!rig.uiLinks->servo.latest().hasDepth, qPrintable(QString::number(x)));
             rig.lift();
         }
-        // Hanging beside the crown, under what is left of its side.
+        // The bur is beside the crown, below the remaining part of its side.
         rig.device.tipMm = {2.4F, 0.0F, -12.0F};
         rig.open(support::makeBlock(crown), 2);
         rig.run(20);
@@ -444,7 +444,8 @@ private slots:
         support::Rig rig;
         rig.open(support::smallBlock());
         rig.run(30);
-        // Sent together with the next attempt, they belong to it, though its servo has not begun yet.
+        // Aids and notes that are sent together with the next attempt belong to it, although its servo has not begun
+        // yet.
         rig.send(ReplaceTooth{std::make_unique<terrain::Tooth>(support::smallBlock()), 2, "lesson é"});
         rig.send(SetAids{kRadiographAid | kMirrorAid});
         rig.send(AddNote{1});
@@ -468,7 +469,7 @@ private slots:
         QVERIFY((kinds == std::vector{ServoEvent::Kind::Aids, ServoEvent::Kind::Note, ServoEvent::Kind::Note}));
         QCOMPARE(values, (std::vector<std::uint64_t>{kRadiographAid | kMirrorAid, 1, ~std::uint64_t{0}}));
         QVERIFY2(toldAt[1] == 0 && toldAt[2] >= 10 && toldAt[2] <= 40, qPrintable(QString::number(toldAt[2])));
-        // What an older attempt was told stays with that one.
+        // Notes of an older attempt stay with that attempt.
         rig.send(AddNote{5});
         rig.send(anotherBlock(3));
         rig.run(30);
@@ -496,14 +497,14 @@ private slots:
         ReplaceTooth withServo = anotherBlock(2);
         withServo.servo = makeServoTick(softer).value();
         rig.give(std::move(withServo));
-        // Bur and drill stay as they were in the hand.
+        // Bur and drill stay as they were.
         QCOMPARE(int{rig.servo->state().burIndex}, 2);
         QVERIFY(rig.servo->state().drillOn);
         const double soft = removedMm3(rig);
         QVERIFY2(soft > 1.5 * usual, qPrintable(QString("%1, %2").arg(soft).arg(usual)));
         QVERIFY(rig.session->recordingSoFar()->settings() == softer);
 
-        // The slow one cuts less, and a tooth that brings no servo is cut as the one before.
+        // The slow handpiece cuts less, and a tooth without a servo of its own is cut by the previous one.
         rig.send(anotherBlock(3));
         rig.give(SetHandpiece{1});
         QCOMPARE(int{rig.servo->state().handpieceIndex}, 1);
@@ -514,13 +515,13 @@ private slots:
         QVERIFY(replaysTo(made, rig.liveHash()));
         QCOMPARE(int{recording::replay(made)->state.handpieceIndex}, 1);
 
-        // An attempt that was begun with another servo goes on with that one.
+        // An attempt that was begun with another servo continues with that servo.
         Drilling usualRig;
         usualRig.resume(made, 2);
         QVERIFY(usualRig.session->recordingSoFar()->settings() == softer);
         static_cast<void>(removedMm3(usualRig));
         QVERIFY(recording::replay(usualRig.session->recordingSoFar().value())->agreesWithWitness);
-        // And one that nobody takes is freed.
+        // A servo that is never used is freed.
         withServo = anotherBlock(4);
         withServo.servo = makeServoTick({}).value();
         rig.send(std::move(withServo));
@@ -537,7 +538,7 @@ private slots:
         const recording::Recording left = first.session->recordingSoFar().value();
         const std::uint64_t leftHash = recording::replay(left)->stateHash;
 
-        // Another program, which has drilled another tooth meanwhile, and stands with its bur in the tooth.
+        // The second program has drilled another tooth meanwhile, and its bur is inside the tooth.
         Drilling second;
         second.lean(0.5, 0.0, 2.0, 40);
         second.resume(left, 2);
@@ -551,7 +552,7 @@ private slots:
         stroke(second, 1.5);
         const std::uint64_t now = second.liveHash();
         QVERIFY(now != leftHash);
-        // Back to before the program ended, and forth again.
+        // Goes back to before the program ended, and forward again.
         second.send(Undo{});
         second.give(Undo{});
         second.give(Redo{});
@@ -577,7 +578,7 @@ private slots:
         const std::uint64_t before = first.session->recordingSoFar()->events();
         first.give(Undo{});
         QCOMPARE(first.liveHash(), once);
-        // It ends with the undo, before another tick.
+        // The first program ends right after the undo, before another tick.
         recording::Recording left({}, support::smallBlock());
         first.session->recordingSoFar()->forEach([&, n = std::uint64_t{0}](const ServoEvent& event) mutable {
             if (n++ < before || event.kind == ServoEvent::Kind::Restore)
@@ -606,7 +607,7 @@ private slots:
                 rig.give(Redo{});
                 if (n == 33)
                     rig.give(Reload{});
-            } else if (n % 5 == 4) {  // taken back in mid-stroke, and brought back
+            } else if (n % 5 == 4) {  // an undo and a redo during a stroke
                 rig.lean(rng.uniform(-3.0, 3.0), 1.0, 2.0, 40);
                 rig.give(Undo{});
                 rig.send(Redo{});
@@ -625,7 +626,7 @@ private slots:
         std::multiset<std::uint64_t> rebuilt;
         for (std::size_t k = 0; k < list.size(); ++k) {
             QCOMPARE(list[k].tick, live[k].tick);
-            QCOMPARE(list[k].parent, live[k].parent);  // numbers are given in the same order
+            QCOMPARE(list[k].parent, live[k].parent);  // ids are given in the same order
             QVERIFY(list[k].removed == live[k].removed);
             QVERIFY(std::abs(list[k].seconds - live[k].seconds) < 0.03);
             known.insert(hashOf(rig.session->momentHeights(live[k].id)));
@@ -634,7 +635,7 @@ private slots:
         QVERIFY(rebuilt == known);
     }
 
-    /// Who takes an attempt up again has been elsewhere for so long, and then a little more.
+    /// A resumed attempt has a pause as long as the time away, and slightly more.
     void timeElsewhereIsKnownAgain()
     {
         support::Rig rig;
@@ -664,7 +665,7 @@ private slots:
         view.look(second);
         QCOMPARE(view.heights.flat(), first.live().top);
         QVERIFY(view.patches < view.heights.tiles().size());
-        second.send(resume(4));  // nobody takes it
+        second.send(resume(4));  // it is never used
     }
 };
 

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kHz = 30.0;
 
-/// Holds a hand for the whole time.
-/// @param placeAt  returns its place for a time
+/// Runs a check of a hand for its whole duration.
+/// @param placeAt  returns the position of the hand at a time
 template <class PlaceAt>
 StillnessCheck held(const PlaceAt& placeAt, double hz = kHz)
 {
@@ -41,16 +41,16 @@ private slots:
         QVERIFY(near(result->driftMm, 0.0) && near(result->tremorMm, 0.0, 1e-6));
     }
 
-    /// Over the time between the middles of the first and the last second.
+    /// The drift is measured over the time between the middles of the first and the last second.
     void aSlowWayIsDrift()
     {
         const auto result = held([](double t) { return glm::dvec3(0.3 * t, 0.0, 0.4 * t); }).result();
         QVERIFY(result.has_value());
         QVERIFY(near(result->driftMm, 0.5 * (StillnessCheck::kDurationS - StillnessCheck::kEdgeS), 0.02));
-        QVERIFY(result->tremorMm < 0.02);  // the window has one side only at both ends
+        QVERIFY(result->tremorMm < 0.02);  // at both ends the window has only one side
     }
 
-    /// A hand trembles with about 10 Hz: the root mean square of a sine is its amplitude / sqrt(2).
+    /// A hand trembles at about 10 Hz. The root mean square of a sine is its amplitude / sqrt(2).
     void aFastWayIsTremor_data()
     {
         QTest::addColumn<double>("hz");
@@ -64,7 +64,7 @@ private slots:
             held([](double t) { return glm::dvec3(0.0, 0.2 * std::sin(2.0 * support::kPi * 9.3 * t), 0.0); }, hz)
                 .result();
         QVERIFY(result.has_value());
-        QVERIFY(near(result->tremorMm, 0.2 / std::sqrt(2.0), 0.015));  // a tenth
+        QVERIFY(near(result->tremorMm, 0.2 / std::sqrt(2.0), 0.015));  // within a tenth
         QVERIFY(result->driftMm < 0.02);
     }
 
@@ -74,8 +74,8 @@ private slots:
         StillnessCheck check;
         for (int k = 0; !check.isOver(); ++k) {
             check.add(k / kHz, glm::dvec3(1.0));
-            check.add(k / kHz, glm::dvec3(99.0));        // at the same time
-            check.add(k / kHz - 1.0, glm::dvec3(99.0));  // late
+            check.add(k / kHz, glm::dvec3(99.0));        // at the same time as the one before
+            check.add(k / kHz - 1.0, glm::dvec3(99.0));  // earlier than the one before
             check.add(k / kHz, glm::dvec3(kNan));
             check.add(kNan, glm::dvec3(99.0));
         }
@@ -92,7 +92,7 @@ private slots:
         QVERIFY(!check.isOver());
         QVERIFY(near(check.progress(), 3.3 / StillnessCheck::kDurationS, 1e-6));
         QVERIFY(!check.result().has_value());
-        check.add(StillnessCheck::kDurationS, glm::dvec3(0.0));  // nothing in between
+        check.add(StillnessCheck::kDurationS, glm::dvec3(0.0));  // no readings in between
         QVERIFY(check.isOver());
         QVERIFY(!check.result().has_value());
         QVERIFY(!held([](double) { return glm::dvec3(0.0); }, 4.0).result().has_value());

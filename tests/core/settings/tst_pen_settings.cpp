@@ -41,7 +41,7 @@ private slots:
         QVERIFY(support::near(PenSettings{curve}.shareAt(pressure), share));
     }
 
-    /// The first curve changes no pressure.
+    /// The default curve changes no pressure.
     void aStraightLineIsExact()
     {
         for (int k = 50; k <= 1000; ++k)

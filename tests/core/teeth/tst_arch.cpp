@@ -38,7 +38,7 @@ struct Crown
     }
 };
 
-/// Distance from a point to a triangle (Ericson, Real-Time Collision Detection, section 5.1.5).
+/// Returns the distance from a point to a triangle (Ericson, Real-Time Collision Detection, section 5.1.5).
 double distanceTo(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
     const glm::dvec3 ab = b - a;
@@ -68,7 +68,7 @@ double distanceTo(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
     return glm::distance(p, a + vb / sum * ab + vc / sum * ac);
 }
 
-/// Signed distance from a point to a closed mesh: negative inside. Inside or not is told by the solid angle.
+/// Returns the signed distance from a point to a closed mesh, negative inside. The solid angle decides what is inside.
 double signedDistance(const Crown& crown, const glm::dvec3& p)
 {
     double nearest = kFar;
@@ -90,14 +90,14 @@ double signedDistance(const Crown& crown, const glm::dvec3& p)
     return std::abs(angle) > 6.0 ? -nearest : nearest;
 }
 
-/// The tip that stands on the arch: highest point of the buccal (labial) half, in the jaw frame.
+/// Returns the tip that is on the arch curve: the highest point of the buccal (labial) half, in the jaw frame.
 glm::dvec3 facialTip(const Arch& arch, int fdi)
 {
     const CoarseTooth& tooth = arch.tooth(fdi);
     glm::dvec3 tip(0.0, 0.0, -kFar);
     for (std::size_t k = 0; k < tooth.crownVertices; ++k) {
         const glm::vec3 p = tooth.mesh.vertices[k];
-        // Of a molar the mesial one of the buccal cusps.
+        // For a molar, the mesial one of the buccal cusps.
         if ((fdi % 10 < 4 || static_cast<double>(p.y) * buccalSign(fdi) > 0.5) && (fdi % 10 < 6 || p.x < 0.0F)) {
             const glm::dvec3 here(arch.jawFromTooth(fdi) * glm::dvec4(p, 1.0));
             if (here.z > tip.z)
@@ -127,7 +127,7 @@ private slots:
     {
         QFETCH(int, mesial);
         QFETCH(int, distal);
-        // By another road than they were placed: signed distances in space, not along the arch.
+        // Measures by another method than the placement: by distances in space, not along the arch.
         const Crown a(m_arch, mesial);
         const Crown b(m_arch, distal);
         const auto contact =
@@ -142,7 +142,7 @@ private slots:
                     least = std::min(least, signedDistance(other, p));
         }
         QVERIFY(between(least, -0.1, 0.1));
-        // Above the gum, in the crown's upper two thirds.
+        // The contact is above the gum, in the upper two thirds of the crown.
         QVERIFY(between(contact->middleMm.z, -6.0, -0.5));
     }
 
@@ -163,7 +163,7 @@ private slots:
                 reachMm = halfMm;
             }
         }
-        // The left central incisor touches the midsagittal plane, and nothing of it lies beyond.
+        // The left central incisor touches the midsagittal plane, and no part of it is beyond.
         for (const int fdi : {21, 31}) {
             double nearest = kFar;
             for (const glm::dvec3& p : Crown(m_arch, fdi).points)
@@ -174,7 +174,7 @@ private slots:
 
     void widthsAreThoseOfAdults()
     {
-        // Standard deviations between people are about 2 mm; a mean arch should be nearer than one.
+        // The standard deviation between people is about 2 mm. The mean arch must be closer than one of them.
         for (const Jaw jaw : {Jaw::Upper, Jaw::Lower}) {
             const int first = jaw == Jaw::Upper ? 20 : 30;
             const double canines = 2.0 * facialTip(m_arch, first + 3).x;
@@ -196,7 +196,7 @@ private slots:
             QVERIFY(glm::dot(glm::dvec2(distal), curve.tangent(place.alongMm)) > 0.97);
             QVERIFY(glm::dot(glm::dvec2(buccal), curve.outward(place.alongMm)) > 0.8);
             QVERIFY(occlusal.z > 0.85);
-            // The upper jaw frame is left-handed, see Arch.h; a tooth in it is never deformed.
+            // The upper jaw frame is left-handed, see Arch.h. A tooth in it is never deformed.
             const double volume = glm::determinant(glm::dmat3(stand));
             QVERIFY(std::abs(volume - (sizes.fdi < 30 ? -1.0 : 1.0)) < 1.0e-9);
         }
@@ -238,7 +238,7 @@ private slots:
                 QVERIFY(tips[20 + position].z > tips[30 + position].z + (openRad > 0.0 ? 3.0 : -3.0));
             const double opening = glm::distance(tips[21], tips[31]);
             QVERIFY(openRad > 0.0 ? opening > 20.0 && opening < 40.0 : opening < 6.0);
-            // The hinge is behind: molars open less than incisors.
+            // The hinge is at the back, so molars open less than incisors.
             if (openRad > 0.0)
                 QVERIFY(glm::distance(tips[27], tips[37]) < opening);
         }
@@ -269,13 +269,14 @@ private slots:
             QTest::addRow("%d", sizes.fdi) << sizes.fdi;
     }
 
-    /// Rays from outside on to the middle of the facial and the lingual side: crown above the margin, gum below it.
+    /// Casts rays from outside to the middle of the facial and the lingual side: they must meet the crown above the
+    /// margin and the gum below it.
     void crownsStandOutOfTheGum()
     {
         QFETCH(int, fdi);
         const double crownMm = findToothSizes(fdi)->crownHeightMm;
         const auto firstMet = [&](const glm::dvec3& from, const glm::dvec3& way) {
-            // In the tooth's own frame, where its neighbours and the gum stand as well.
+            // In the tooth's own frame, which also contains its neighbours and the gum.
             double gum = kFar;
             double crown = kFar;
             const auto meet = [&](const std::vector<glm::dvec3>& points, const auto& corners, double& nearest) {
@@ -314,7 +315,7 @@ private slots:
         };
         for (const double side : {1.0, -1.0}) {
             const glm::dvec3 way(0.0, -side, 0.0);
-            // Half way up the crown no gum; two millimetres below the CEJ nothing but gum.
+            // Half-way up the crown there is no gum; two millimetres below the CEJ there is only gum.
             const auto high = firstMet({0.0, 20.0 * side, -0.45 * crownMm}, way);
             QVERIFY2(high.first < high.second, qPrintable(QString("side %1").arg(side)));
             const auto low = firstMet({0.0, 20.0 * side, -crownMm - 2.0}, way);
@@ -332,7 +333,7 @@ private slots:
                 if (!piece.tooth)
                     continue;
                 teeth.insert(piece.fdi);
-                // Half a crown and half a crown away, on the proper side; +x is distal.
+                // The distance is half the width of both crowns, on the correct side; +x is distal.
                 const glm::dvec3 at(piece.place[3]);
                 const double apart = 0.5 * (sizes.crownWidthMm + findToothSizes(leftFellow(piece.fdi))->crownWidthMm);
                 const bool distal = piece.fdi == sizes.fdi + 1;

@@ -49,12 +49,12 @@ double volume(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
     return support::volumesOf(maps, layers)[static_cast<std::size_t>(Material::Caries)];
 }
 
-/// Least distance from decay down or sideways to pulp, mm, capped at 3.
+/// Returns the least distance from decay down or sideways to pulp, mm, at most 3.
 double leastOverPulp(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
 {
     const Grid& grid = maps.grid;
     const int reach = static_cast<int>(std::ceil(0.6 / grid.cellMm));
-    const int step = std::max(1, grid.side / 150);  // a fine grid is probed, not searched
+    const int step = std::max(1, grid.side / 150);  // a fine grid is sampled
     double least = 3.0;
     for (int j = 0; j < grid.side; j += step)
         for (int i = 0; i < grid.side; i += step) {

@@ -42,7 +42,7 @@ using terrain::ToothSide;
 
 namespace {
 
-/// A tooth that the program makes, lying on a side.
+/// Makes a tooth that lies on a side.
 Result<teeth::BuiltTooth> laidTooth(int fdi, const char* side, double tiltDeg = 90.0, double extent = 0.0,
                                     std::optional<LesionSite> site = {}, std::uint64_t seed = 0)
 {
@@ -64,7 +64,8 @@ bool isSolid(const ToothAnatomy& tooth, std::size_t k)
     return tooth.top[k] > tooth.bottom[k];
 }
 
-/// The largest own z of the surface, in the frame the tooth is cut in turned back: the tip, for measuring from.
+/// Returns the largest z of the surface in the tooth's own frame: the height of the tip, from which depths are
+/// measured.
 double tipAlongAxis(const ToothAnatomy& tooth)
 {
     const glm::dvec3 axis = tooth.lying.cutFromOwn() * glm::dvec3(0.0, 0.0, 1.0);
@@ -84,7 +85,7 @@ std::vector<std::size_t> decayed(const ToothAnatomy& tooth)
     return found;
 }
 
-/// How far below the tip, along the tooth's own axis, the surface of the decayed columns is on the average, mm.
+/// Returns the mean distance of the decayed surface below the tip, along the tooth's own axis, mm.
 double decayBelowTip(const ToothAnatomy& tooth)
 {
     const std::vector<std::size_t> columns = decayed(tooth);
@@ -141,7 +142,7 @@ private slots:
         QCOMPARE(Lying{}.cutFromOwn(), glm::dmat3(1.0));
     }
 
-    /// Seen along the bur a tooth covers what it holds, and little more: its own bulges are no undercuts from the side.
+    /// The columns contain the tooth and little more: seen from the side, its bulges are not undercuts.
     void theColumnsHoldTheTooth()
     {
         for (const auto& [fdi, side] : {std::pair(33, "buccal"), std::pair(22, "lingual"), std::pair(21, "mesial"),
@@ -157,7 +158,8 @@ private slots:
         }
     }
 
-    /// On the labial side the enamel is as thick as the tooth's own height above the neck says.
+    /// On the labial side, the enamel has the thickness that belongs to the height above the neck in the tooth's own
+    /// frame.
     void enamelFollowsTheTooth()
     {
         const auto tooth = laidTooth(33, "buccal");
@@ -184,7 +186,7 @@ private slots:
         QVERIFY(measured > 40);
     }
 
-    /// The pulp is that of the upright tooth, as far as it is kept.
+    /// The pulp is that of the upright tooth, as far as the columns contain it.
     void thePulpIsTheSame()
     {
         for (const auto& [fdi, side] : {std::pair(33, "buccal"), std::pair(21, "lingual"), std::pair(36, "buccal")}) {
@@ -213,7 +215,7 @@ private slots:
         QTest::addColumn<int>("fdi");
         QTest::addColumn<QString>("side");
         QTest::addColumn<int>("site");
-        QTest::addColumn<double>("least");  // below the tip, share of the crown's height
+        QTest::addColumn<double>("least");  // below the tip, as a share of the crown's height
         QTest::addColumn<double>("most");
         QTest::newRow("neck of a canine") << 33 << "buccal" << 1 << 0.75 << 1.0;
         QTest::newRow("neck of a molar") << 36 << "lingual" << 1 << 0.65 << 1.0;
@@ -263,7 +265,7 @@ private slots:
         }
     }
 
-    /// At 45 degrees the bur still meets the fissures.
+    /// At 45 degrees the bur can still reach the fissures.
     void aLeaningToothHasItsFissureDecay()
     {
         const auto tooth = laidTooth(36, "buccal", 45.0, 0.6);
@@ -288,7 +290,7 @@ private slots:
         QVERIFY(support::isRefused(teeth::buildTooth({36}, options), ErrorCode::OutOfRange));
     }
 
-    /// What is about a row of teeth is not said of one that lies alone.
+    /// A tooth that lies on a side is not part of an arch.
     void itStandsInNoArch()
     {
         const auto tooth = laidTooth(36, "buccal");
@@ -300,7 +302,7 @@ private slots:
                                    ErrorCode::OutOfRange));
     }
 
-    /// A film shows the crown as high and as wide as that of the upright tooth, on any side.
+    /// The film shows the crown with the same height and width as that of the upright tooth, whichever side it lies on.
     void theFilmShowsTheToothUpright()
     {
         const auto upright = teeth::buildTooth({33}, {});
@@ -317,12 +319,12 @@ private slots:
                 const imaging::XrayedTooth laid{&tooth};
                 const imaging::Beam beam = imaging::laidBeam(built->anatomy->lying, own);
                 const imaging::FilmArea area = imaging::shadowArea(std::span(&laid, 1), beam, 0.0);
-                // The root is shorter, so that the height is only that of crown and neck.
+                // The root is shorter, so only the height of crown and neck is compared.
                 QVERIFY(support::near(area.highMm.x - area.lowMm.x, usual.highMm.x - usual.lowMm.x, 0.25));
                 QVERIFY(support::near(area.highMm.y - area.lowMm.y, teeth::drawToothSizes(33, 0)->crownHeightMm + 3.0,
                                       0.3));
                 const imaging::Shadow shadow = imaging::castShadow(std::span(&laid, 1), beam, area, 0.1);
-                // The edge is narrower than the neck: the crown is up.
+                // The incisal edge is narrower than the neck, so the crown must be up.
                 const auto widthAt = [&](int row) {
                     int wide = 0;
                     for (int column = 0; column < shadow.width; ++column)
@@ -357,7 +359,7 @@ private slots:
         QCOMPARE(recording::Recording({}, tooth->anatomy).toBytes()[8], static_cast<char>(8));
     }
 
-    /// A scan is laid by the axes of the frame it was placed in.
+    /// A scan is laid by the axes of its frame.
     void aScanIsLaidLikewise()
     {
         QTemporaryDir folder;
@@ -375,8 +377,8 @@ private slots:
         const auto made = laidTooth(33, "buccal", 90.0, 0.5, LesionSite::Cervical);
         QVERIFY(support::succeeds(scan) && support::succeeds(made));
         QVERIFY(!teeth::isGenerated(*scan->anatomy));
-        // Where the neck of a scan is, is guessed from the width of its crown: so are the end of its root and its
-        // decay.
+        // The position of a scan's neck is estimated from the width of its crown, and with it the end of its root and
+        // its decay.
         constexpr double kGuessMm = 0.5;
         QVERIFY(support::between(scan->report.modelVolumeMm3 / made->report.modelVolumeMm3, 0.95, 1.05));
         QVERIFY(support::near(decayBelowTip(*scan->anatomy), decayBelowTip(*made->anatomy), kGuessMm));

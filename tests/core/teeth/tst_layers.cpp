@@ -31,7 +31,8 @@ bool hasPulp(const ColumnLayers& column)
     return column.pulpRoof > column.pulpFloor;
 }
 
-/// Shortest distance from a point on the surface over node k to the dentin: enamel thickness as a section shows it.
+/// Returns the shortest distance from the surface above node k to the dentin: the enamel thickness that a section
+/// shows.
 double enamelAt(const ToothMaps& maps, const std::vector<ColumnLayers>& layers, std::size_t k, double z)
 {
     const Grid& grid = maps.grid;
@@ -57,7 +58,7 @@ double of(const PerMaterial& volumes, Material material)
     return volumes[static_cast<std::size_t>(material)];
 }
 
-/// What must hold on any tooth: the first column where it does not, or nothing.
+/// Checks the invariants of every tooth. Returns a description of the first column that breaks one, or an empty string.
 QString brokenLayers(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
 {
     const Grid& grid = maps.grid;
@@ -90,7 +91,7 @@ QString brokenLayers(const ToothMaps& maps, const std::vector<ColumnLayers>& lay
     return {};
 }
 
-/// Least dentin between the pulp and anything else in any direction, mm (capped at 3).
+/// Returns the least dentin between the pulp and anything else in any direction, mm, at most 3.
 double leastDentin(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
 {
     const Grid& grid = maps.grid;
@@ -145,7 +146,7 @@ private slots:
         }
         QVERIFY(between(thicknessOver(0.0, 2.8), 1.55, 1.95));  // fossa floor away from the fissure
 
-        // The side wall, against t = 0.05 + 0.32 h: the wall of this crown is where its columns end.
+        // The side wall must have t = 0.05 + 0.32 h. The wall of this crown is where its columns end.
         const double cervix = -7.5;
         for (const double height : {2.5, 3.0, 3.5, 4.0, 4.5}) {
             const double z = cervix + height;
@@ -153,11 +154,12 @@ private slots:
             support::eachNode(maps.grid, [&](std::size_t k, const glm::dvec2& at) {
                 if (!maps.isSolid(k) || layers[k].dej <= maps.bottom[k] || static_cast<double>(layers[k].dej) < z)
                     return;
-                // Along the diagonal through a distal cusp: mesially the CEJ rises.
+                // Along the diagonal through a distal cusp, because the CEJ rises mesially.
                 if (at.x > 0.0 && std::abs(at.x - at.y) < 0.1)
                     nearest = std::min(nearest, 5.0 - std::hypot(at.x, at.y));
             });
-            // Radius of the outer surface at this height: 5 up to the contour, then the shoulder's quarter ellipse.
+            // The radius of the outer surface at this height: 5 up to the contour, then the quarter ellipse of the
+            // shoulder.
             const double shoulder = z <= -5.0 ? 1.0 : std::sqrt(std::max(0.0, 1.0 - (z + 5.0) * (z + 5.0) / 16.0));
             QVERIFY(between(nearest - (1.0 - shoulder) - (0.05 + 0.32 * height), -0.3, 0.3));
         }
@@ -176,8 +178,8 @@ private slots:
 
     void neckHasOneLineBetweenEnamelAndRoot()
     {
-        // The lingual flank (+y) seen from below, from its outline inwards: enamel, then dentin, and no more of enamel.
-        // A junction on the very surface is neither, it flickers.
+        // The lingual flank (+y) seen from below, from its outline inwards, must be enamel, then dentin, and no more
+        // enamel. A junction exactly on the surface counts as neither, because it flickers.
         QFETCH(int, fdi);
         const ToothMaps maps = support::generatedMaps(fdi, 0, 150);
         const auto layers = lay(maps, fdi);
@@ -208,7 +210,7 @@ private slots:
         support::rows<int>("fdi", {24, 25, 26, 27, 28, 34, 35, 36, 37, 38});
     }
 
-    /// Where the root begins the underside falls by millimetres: that is no steep flank with much enamel in it, and a
+    /// Where the root begins, the underside falls by millimetres. This is not a steep flank with much enamel, and a
     /// section there must not show a slit of enamel in the dentin.
     void noColumnIsAllEnamelBetweenDentin()
     {
@@ -242,7 +244,7 @@ private slots:
             const std::size_t k = nodeAt(maps.grid, {0.5, y});
             QVERIFY(between(static_cast<double>(maps.top[k]) - static_cast<double>(layers[k].dej), 0.199, 20.0));
         }
-        // The fissure is 0.8 deep; the junction below it does not follow, it lies no lower than beside it.
+        // The fissure is 0.8 deep. The junction below it does not follow: it is no lower than beside the fissure.
         const std::size_t base = nodeAt(maps.grid, {0.5, 0.0});
         const auto junction = static_cast<double>(layers[base].dej);
         QVERIFY(between(static_cast<double>(maps.top[base]) - junction, 0.2, 0.6));
@@ -297,7 +299,7 @@ private slots:
                 QVERIFY(between(nearest, 5.4, 7.2));
             }
         }
-        // In the middle the chamber is 1.6 to 1.9 high, its roof within a millimetre of the CEJ.
+        // In the middle, the chamber is 1.6 to 1.9 high and its roof is within a millimetre of the CEJ.
         const ColumnLayers& middle = layers[nodeAt(maps.grid, {0.0, 0.0})];
         QVERIFY(between(static_cast<double>(middle.pulpRoof), -8.0, -6.0));
         const ColumnLayers& beside = layers[nodeAt(maps.grid, {0.0, 0.8})];
@@ -312,7 +314,7 @@ private slots:
         for (const ColumnLayers& column : layers)
             if (hasPulp(column))
                 highest = std::max(highest, column.pulpRoof);
-        // Incisal edge to pulp tip 6.6, at least 1.5 mm of dentin beside it may push it down.
+        // The pulp tip is 6.6 below the incisal edge. The 1.5 mm of dentin that it needs at its sides may push it down.
         QVERIFY(between(static_cast<double>(highest), -8.5, -6.2));
         QVERIFY(between(of(volumesOf(maps, layers), Material::Pulp), 10.0, 35.0));  // 19.6 on one measured tooth
     }
@@ -322,7 +324,7 @@ private slots:
         support::columns<int, double>("fdi", "cutMm");
         for (const int fdi : {21, 24, 31, 36, 26}) {
             const double cervix = fdi == 21 ? -10.5 : fdi == 24 ? -8.5 : fdi == 31 ? -9.0 : -7.5;
-            // The roof of a molar's chamber lies at the cervix.
+            // The roof of a molar's chamber is at the cervix.
             for (const double below : {fdi % 10 == 6 ? 0.2 : -0.5, 0.5, 1.5, 3.0, 5.0})
                 QTest::addRow("%d, %g mm below the cervix", fdi, below) << fdi << cervix - below;
         }
@@ -347,7 +349,7 @@ private slots:
         const auto layers = lay(maps, fdi);
         const QString wrong = brokenLayers(maps, layers);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
-        // As much pulp as the whole tooth has above that height.
+        // There is as much pulp as the whole tooth has above that height.
         const double pulp = of(volumesOf(maps, layers), Material::Pulp);
         const double expected = of(volumesOf(maps, lay(whole, fdi)), Material::Pulp);
         QVERIFY(expected > 0.3);
@@ -362,8 +364,8 @@ private slots:
             for (const int side : {100, 150, 512}) {
                 const ToothMaps maps = support::generatedMaps(fdi, 0, side);
                 const PerMaterial volumes = volumesOf(maps, lay(maps, fdi));
-                // Whether a canal still fits a slender premolar root hangs on tenths of a millimetre: pulp may be 12 %
-                // off.
+                // Whether a canal still fits into a slender premolar root depends on tenths of a millimetre, so the
+                // pulp may differ by 12 %.
                 for (const Material material : {Material::Enamel, Material::Dentin, Material::Pulp})
                     QVERIFY2(std::abs(of(volumes, material) / of(expected, material) - 1.0) <
                                  (material == Material::Pulp ? 0.12 : 0.02),
@@ -432,7 +434,7 @@ private slots:
 
     void unknownTeethAreGuessedByTheirCrown()
     {
-        // The kind shows in the volumes: a guessed tooth lies near the named one.
+        // A tooth whose kind is guessed must have a volume close to that of the named tooth.
         for (const int fdi : {21, 22, 23, 24, 25, 26, 27, 28, 31, 32, 33, 34, 35, 36, 37, 38}) {
             const ToothMaps maps = support::generatedMaps(fdi, 0, 150);
             const double named = of(volumesOf(maps, lay(maps, fdi)), Material::Enamel);

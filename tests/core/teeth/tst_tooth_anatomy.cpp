@@ -30,7 +30,7 @@ using grading::Part;
 using preparation::Kind;
 using support::between;
 
-/// The figures of docs/teeth.md, measured on generated teeth with their tissues and not read from their design.
+/// Checks the values of docs/teeth.md by measuring generated teeth with their tissues, not by reading their design.
 class TestToothAnatomy : public QObject
 {
     Q_OBJECT
@@ -45,12 +45,12 @@ class TestToothAnatomy : public QObject
         return teeth::posteriorForm(fdi, static_cast<std::uint64_t>(seed)).value();
     }
 
-    /// A row for each of the ten seeds.
+    /// Adds a row for each of the ten seeds.
     static void addSeeds() { support::rows<int>("seed", {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}); }
 
     static double topAt(const ToothAnatomy& anatomy, std::size_t k) { return static_cast<double>(anatomy.top[k]); }
 
-    /// The highest point of the surface within `reachMm` of a place.
+    /// Returns the highest point of the surface within `reachMm` of a place.
     static glm::dvec3 highestNear(const ToothAnatomy& anatomy, glm::dvec2 place, double reachMm)
     {
         glm::dvec3 best(place, -1.0e9);
@@ -61,7 +61,7 @@ class TestToothAnatomy : public QObject
         return best;
     }
 
-    /// The tip of each cusp of a posterior tooth, found on the map near where its design has it.
+    /// Returns the tip of each cusp of a posterior tooth, found on the map near its place in the design.
     static std::map<Cusp, glm::dvec3> tipsOf(int fdi, int seed)
     {
         const teeth::PosteriorForm form = formOf(fdi, seed);
@@ -72,14 +72,14 @@ class TestToothAnatomy : public QObject
         return tips;
     }
 
-    /// The surface with everything filled that is narrower than twice the radius.
+    /// Returns the surface after filling everything narrower than twice the radius.
     static std::vector<float> filled(const ToothAnatomy& anatomy, double radiusMm)
     {
         const teeth::Lattice lattice(anatomy.grid, anatomy.grid.cellMm);
         return lattice.close(lattice.pick(anatomy.top, kEmptyTop), radiusMm, kEmptyTop);
     }
 
-    /// How far each column lies inside the outline of the tooth.
+    /// Returns how far each column is inside the outline of the tooth.
     static std::vector<float> insideMm(const ToothAnatomy& anatomy)
     {
         std::vector<std::uint8_t> solid(anatomy.top.size());
@@ -88,7 +88,7 @@ class TestToothAnatomy : public QObject
         return teeth::distanceInside(anatomy.grid, solid);
     }
 
-    /// The lowest point of a map within 1.5 mm of the middle of the tooth.
+    /// Returns the lowest point of a map within 1.5 mm of the middle of the tooth.
     static glm::dvec3 lowestInTheMiddle(const ToothAnatomy& anatomy, const std::vector<float>& map)
     {
         glm::dvec3 lowest(0.0, 0.0, 1.0e9);
@@ -115,7 +115,7 @@ class TestToothAnatomy : public QObject
         return preparation::makePreparation(kind, preparation::fittedDesign(kind, anatomy).value(), anatomy).value();
     }
 
-    /// Islands of columns for which `isIn` is true.
+    /// Returns the number of islands of columns for which `isIn` is true.
     template <class IsIn>
     static int islands(const Grid& grid, IsIn&& isIn)
     {
@@ -132,7 +132,7 @@ class TestToothAnatomy : public QObject
                 const int i = static_cast<int>(open.back()) % grid.side;
                 const int j = static_cast<int>(open.back()) / grid.side;
                 open.pop_back();
-                // A canal that is one column wide somewhere may fall apart by a few columns.
+                // A canal that is one column wide somewhere may be interrupted by a few columns.
                 support::Nodes beside = support::around(grid, i, j, 4);
                 support::eachOf(grid, beside, [&](std::size_t k) {
                     if (std::exchange(left[k], 0) != 0)
@@ -164,7 +164,7 @@ private slots:
             std::vector<Cusp> order = fdi % 10 < 6 ? premolar : fdi < 30 ? upperMolar : lowerMolar;
             if (fdi == 35 && !tips.contains(Cusp::L))
                 order = {Cusp::B, Cusp::ML, Cusp::DL};
-            // A missing distal or distolingual cusp is a variant.
+            // The distal or distolingual cusp may be missing in a variant.
             std::erase_if(order, [&](Cusp cusp) { return !tips.contains(cusp); });
             QCOMPARE(order.size(), tips.size());
             for (std::size_t k = 0; k + 1 < order.size(); ++k)
@@ -186,7 +186,7 @@ private slots:
 
     void mesiobuccalCuspOf36HasNoDimple_data() { addSeeds(); }
 
-    /// The buccal slope of the cusp, from 0.6 mm mesial of its tip to the buccal groove: nothing there is a hollow.
+    /// The buccal slope of the cusp, from 0.6 mm mesial of its tip to the buccal groove, has no hollow.
     void mesiobuccalCuspOf36HasNoDimple()
     {
         QFETCH(int, seed);
@@ -206,8 +206,8 @@ private slots:
 
     void centralFossaOf36IsFarFromThePulp_data() { addSeeds(); }
 
-    /// 4.35 mm were measured on a molar with a shallow fissure: ours must have that between the mouth of its fissure
-    /// and the base of it.
+    /// A distance of 4.35 mm was measured on a molar with a shallow fissure. The distances from the mouth and from the
+    /// base of the generated fissure must enclose it.
     void centralFossaOf36IsFarFromThePulp()
     {
         QFETCH(int, seed);
@@ -248,13 +248,13 @@ private slots:
 
     void hornsOf36LieUnderItsCusps_data() { addSeeds(); }
 
-    /// The roof rises towards each of the four large cusps, most of all towards the mesial two.
+    /// The roof rises towards each of the four large cusps, most towards the two mesial ones.
     void hornsOf36LieUnderItsCusps()
     {
         QFETCH(int, seed);
         const Anatomy anatomy = tooth(36, seed);
         const auto tips = tipsOf(36, seed);
-        // The plain roof: what half of the chamber's columns lie below.
+        // The height of the plain roof: the median of the chamber's columns.
         std::vector<float> roofs;
         for (std::size_t k = 0; k < anatomy->top.size(); ++k)
             if (hasPulp(*anatomy, k))
@@ -337,7 +337,7 @@ private slots:
             });
         };
         const auto lowest = static_cast<double>(*std::min_element(model->bottom.begin(), model->bottom.end()));
-        // Two in the mesial root and one in the distal root, which is a little shorter.
+        // Two canals in the mesial root and one in the distal root, which is slightly shorter.
         for (double height = lowest + 3.0; height < core::bur::lowestTipMm(*model) - 2.0; height += 0.5)
             QCOMPARE(canalsAt(height), 3);
         QVERIFY(canalsAt(lowest + 1.7) >= 1);
@@ -345,7 +345,7 @@ private slots:
 
     void mesialGrooveOf24CrossesTheRidge_data() { addSeeds(); }
 
-    /// From the mesial fossa to 0.8 mm before the outline there is a furrow in each slice across the tooth.
+    /// From the mesial fossa to 0.8 mm before the outline, each slice across the tooth has a furrow.
     void mesialGrooveOf24CrossesTheRidge()
     {
         QFETCH(int, seed);
@@ -370,7 +370,7 @@ private slots:
 
     void outlineOf24IsAHexagon_data() { addSeeds(); }
 
-    /// Of an oval, the largest hexagon with its corners on the outline covers 0.83.
+    /// The largest hexagon with its corners on an oval covers 0.83 of it.
     void outlineOf24IsAHexagon()
     {
         QFETCH(int, seed);
@@ -384,7 +384,7 @@ private slots:
         double whole = 0.0;
         for (int k = 0; k < kPoints; ++k)
             whole += cross(k, (k + 1) % kPoints);
-        // The best corners, one after another: areas of the fans from the middle add up.
+        // Finds the best corners one after another: the areas of the triangles with the middle add up.
         double best = 0.0;
         for (int first = 0; first < kPoints / 6 + 3; ++first) {
             std::vector<double> most(kPoints + 1, -1.0);
@@ -407,7 +407,7 @@ private slots:
 
     void pitOf22IsLingual_data() { addSeeds(); }
 
-    /// No hollow lies on the edge or on the labial side; above the cingulum there is one.
+    /// There is no hollow at the edge or on the labial side, and one above the cingulum.
     void pitOf22IsLingual()
     {
         QFETCH(int, seed);
@@ -433,7 +433,7 @@ private slots:
 
     void rootOf38HasNoSlit_data() { addSeeds(); }
 
-    /// Nowhere does the underside rise by more than a millimetre between places 0.6 mm to either side.
+    /// The underside is nowhere more than a millimetre higher than at places 0.6 mm to either side.
     void rootOf38HasNoSlit()
     {
         QFETCH(int, seed);
@@ -479,7 +479,7 @@ private slots:
             sum += topAt(*anatomy, edge) - static_cast<double>(anatomy->layers[edge].dej);
             count += 1.0;
         }
-        // People differ by a tenth.
+        // People differ by a tenth of a millimetre.
         QVERIFY2(between(sum / count, 1.7, 2.3), qPrintable(shown(sum / count)));
     }
 
@@ -505,8 +505,8 @@ private slots:
 
     void filmsOfAllTeethAreExposedAlike_data() { support::rows<int>("fdi", {21, 22, 23, 24, 26, 31, 33, 34, 36, 38}); }
 
-    /// The crown of a front tooth is as light on its film as that of a molar: optical density 1.3 to 1.6 of 3.0 where
-    /// the tooth weakens the beam most.
+    /// The crown of a front tooth is as light on its film as that of a molar: an optical density of 1.3 to 1.6 of 3.0
+    /// where the tooth weakens the beam most.
     void filmsOfAllTeethAreExposedAlike()
     {
         QFETCH(int, fdi);

@@ -26,7 +26,7 @@ using core::mesh::TriangleMesh;
 
 namespace {
 
-/// The warnings of a report in one text.
+/// Returns the warnings of a report in one text.
 std::string warningsOf(const BuiltTooth& tooth)
 {
     return std::accumulate(tooth.report.warnings.begin(), tooth.report.warnings.end(), std::string());
@@ -132,7 +132,7 @@ private slots:
                 continue;
             const Lesion lesion = lesionOn(side);
             QVERIFY(support::near(glm::distance(lesion.centreMm, expected.centreMm), 0.0, 0.1));
-            // What the pulp spares of a lesion over it still follows the grid: horns on a scan do.
+            // Where the pulp limits a lesion, its volume still depends on the grid, as with the pulp horns of a scan.
             QVERIFY(agrees(lesion.volumeMm3, expected.volumeMm3, isScan ? 0.2 : side == 64 ? 0.05 : 0.03));
         }
     }
@@ -149,8 +149,8 @@ private slots:
             const auto tooth = buildTooth({std::filesystem::path(path)}, options);
             QVERIFY(tooth);
             QCOMPARE(std::string(core::mesh::nameOf(tooth->report.placement.up)), std::string(up));
-            // The other one chooses grid and axes itself, so volumes are compared: at full cells, hence the coarse
-            // tolerance.
+            // The other implementation chooses grid and axes itself, so only volumes are compared. It counts full
+            // cells, hence the coarse tolerance.
             const auto other = support::scanMaps(fdi, 400);
             QVERIFY(other);
             double volume = 0.0;
@@ -213,7 +213,7 @@ private slots:
         TriangleMesh mesh = support::box(8.0F, 8.0F, 8.0F);
         mesh.triangles.erase(mesh.triangles.begin() + 2, mesh.triangles.begin() + 4);  // the lid
         QVERIFY(support::isRefused(buildFileFrame(mesh), ErrorCode::BadStructure));
-        // Left to guess, the opening is below.
+        // If the orientation is guessed, the opening is below.
         QVERIFY(buildTooth({write(mesh)}, {}));
     }
 

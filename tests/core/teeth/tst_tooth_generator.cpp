@@ -42,7 +42,7 @@ std::array<glm::dvec3, 3> cornersOf(const TriangleMesh& mesh, const std::array<s
     return {glm::dvec3(mesh.vertices[t[0]]), glm::dvec3(mesh.vertices[t[1]]), glm::dvec3(mesh.vertices[t[2]])};
 }
 
-/// Highest surface point over a square grid centred on the origin.
+/// The highest surface points on a square grid around the origin.
 struct TopMap
 {
     core::terrain::Grid grid;
@@ -50,7 +50,7 @@ struct TopMap
 
     [[nodiscard]] float at(int i, int j) const { return grid.contains(i, j) ? height[grid.index(i, j)] : kNothing; }
 
-    /// Bilinear height; kNothing outside or beside the rim.
+    /// Returns the height by bilinear interpolation; kNothing outside the rim or next to it.
     [[nodiscard]] double between(glm::dvec2 placeMm) const
     {
         const glm::dvec2 lattice = grid.latticeOf(placeMm);
@@ -84,7 +84,8 @@ struct TopMap
         return result;
     }
 
-    /// Widened and shrunk again: fills what is narrower than twice the radius, which fissures are and fossae are not.
+    /// Returns the map dilated and eroded: everything narrower than twice the radius is filled. Fissures are that
+    /// narrow, fossae are not.
     [[nodiscard]] TopMap closed(double radiusMm) const
     {
         return morphed(radiusMm, [](float a, float b) { return std::max(a, b); })
@@ -99,13 +100,13 @@ TopMap topMap(const TriangleMesh& mesh, double cellMm)
     return {grid, core::terrain::rasterise(mesh, grid).top};
 }
 
-/// Cusps: places higher than all within 0.8 mm, that one must climb down by at least 0.15 mm from to get higher. With
-/// their heights.
+/// Returns the cusps with their heights. A cusp is higher than everything within 0.8 mm and has a prominence of at
+/// least 0.15 mm.
 std::vector<glm::dvec3> cusps(const TopMap& raw)
 {
     TopMap map = raw.closed(0.35);
     const core::terrain::Grid& grid = map.grid;
-    // A box blur of 0.3 mm twice: cusps stay, the mesh's facets go.
+    // Applies a box blur of 0.3 mm twice, which removes the facets of the mesh and keeps the cusps.
     const int reach = static_cast<int>(std::lround(0.15 / grid.cellMm));
     for (int pass = 0; pass < 2; ++pass) {
         const TopMap before = map;
@@ -123,8 +124,8 @@ std::vector<glm::dvec3> cusps(const TopMap& raw)
                     height = static_cast<float>(sum / count);
             }
     }
-    // Prominence by flooding: cells from high to low join the peaks they touch; the lower peak of two dies where they
-    // meet, and counts if it stood out enough.
+    // Computes the prominence by flooding: cells from high to low join the peaks that they touch. Where two peaks meet,
+    // the lower one ends, and counts if it was prominent enough.
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < map.height.size(); ++k)
         if (map.height[k] > kNothing)
@@ -181,14 +182,15 @@ struct ScanPoint
     glm::dvec3 normal{0.0};
 };
 
-/// Vertices and normals of a scan in mm (10.5 mm per unit), axes turned to the tooth frame's.
+/// Returns vertices and normals of a scan in mm (10.5 mm per unit), in the axes of the tooth frame.
 std::vector<ScanPoint> readScan(const std::string& path, int fdi)
 {
     const TriangleMesh mesh = core::mesh::readMesh(std::filesystem::path(path)).value().mesh;
     std::vector<ScanPoint> points;
     for (const glm::vec3& vertex : mesh.vertices) {
         const glm::dvec3 p = 10.5 * glm::dvec3(vertex);
-        // Files: +y up, +z anterior, +x the patient's left. Lower teeth stand crown up, upper ones crown down.
+        // The axes of the files are: +y up, +z anterior, +x to the patient's left. Lower teeth have their crown up,
+        // upper ones down.
         points.push_back({fdi >= 30 ? glm::dvec3{-p.z, -p.x, p.y} : glm::dvec3{-p.z, p.x, -p.y}, glm::dvec3{0.0}});
     }
     for (const auto& t : mesh.triangles)
@@ -200,7 +202,7 @@ std::vector<ScanPoint> readScan(const std::string& path, int fdi)
     return points;
 }
 
-/// Turn about z, x, y (radians), then shift.
+/// Rotations about z, x and y (radians), then a shift.
 using Pose = std::array<double, 6>;
 
 glm::dvec3 turned(const Pose& q, glm::dvec3 p)
@@ -210,8 +212,8 @@ glm::dvec3 turned(const Pose& q, glm::dvec3 p)
     return {std::cos(q[2]) * p.x + std::sin(q[2]) * p.z, p.y, -std::sin(q[2]) * p.x + std::cos(q[2]) * p.z};
 }
 
-/// Root mean square of generated minus scanned height over the scan's points that face upwards (within 60 degrees) in
-/// the upper part of the crown. Points beyond the generated outline are left out, and their share is added.
+/// Returns the root mean square of generated minus scanned height over the scan's points that face upwards (within 60
+/// degrees) in the upper part of the crown. Points beyond the generated outline are left out, and their share is added.
 double heightRms(const TopMap& map, const std::vector<ScanPoint>& points, const Pose& pose, double downToMm)
 {
     double sum = 0.0;
@@ -253,7 +255,8 @@ private slots:
             QVERIFY(facts.closed && facts.oriented);
             QCOMPARE(facts.collapsedFaces, 0U);
             QCOMPARE(facts.shells.size(), 1U);
-            // Euler's formula for one shell without handles, three edges to two faces; roots that merely part add none.
+            // Euler's formula for one shell without handles, with three edges to two faces. Roots that only part add no
+            // handles.
             QCOMPARE(2 * mesh.vertices.size(), 4 + mesh.triangles.size());
             QVERIFY(facts.volume > 100.0);
         }
@@ -295,7 +298,7 @@ private slots:
                 if (v.y * facial > 0.0 || fdi % 10 <= 3)
                     facialTip = std::max(facialTip, v.z);
             }
-            // The CEJ is where the root steps back under the enamel: faces that look down.
+            // The CEJ is where the root steps back under the enamel: at faces that point down.
             double ledge = 0.0;
             int faces = 0;
             for (const auto& t : mesh.triangles) {
@@ -312,7 +315,7 @@ private slots:
             QVERIFY(support::near((high.x - low.x) / sizes.crownWidthMm, 1.0, 0.05));
             QVERIFY(support::near((high.y - low.y) / sizes.crownDepthMm, 1.0, 0.05));
             QVERIFY(support::near((facialTip - ledge / faces) / sizes.crownHeightMm, 1.0, 0.05));
-            // The origin of the tooth frame.
+            // The surface is centred on the origin of the tooth frame.
             QVERIFY(support::near(high.z, 0.0, 1.0e-4));
             QVERIFY(support::near(low.x + high.x, 0.0, 0.02));
             QVERIFY(support::near(low.y + high.y, 0.0, 0.02));
@@ -321,7 +324,7 @@ private slots:
 
     void hasItsCusps_data()
     {
-        // The tallest one is buccal on premolars, whichever way the cheek lies, and lingual on 36 and 26.
+        // The tallest cusp is buccal on premolars, on whichever side the cheek is, and lingual on 36 and 26.
         support::columns<int, int, QString>("fdi", "count", "tallest");
         for (const auto& [fdi, count, tallest] : {std::tuple(23, 1, ""),
                                                   {24, 2, "buccal"},
@@ -424,7 +427,7 @@ private slots:
     void agreesWithTheScan_data()
     {
         support::columns<int, double, double, double, double>("fdi", "turnDeg", "pitchDeg", "rollDeg", "downToMm");
-        // How the scan stands in its arch, roughly: the alignment goes on from there.
+        // The approximate pose of the scan in its arch, from which the alignment starts.
         QTest::newRow("36") << 36 << 20.0 << 0.0 << 6.0 << -5.0;
         QTest::newRow("24") << 24 << -5.0 << 0.0 << 0.0 << -5.0;
         QTest::newRow("21") << 21 << -80.0 << 12.0 << -2.0 << -9.0;
@@ -454,10 +457,11 @@ private slots:
         pose[4] = -0.5 * (low.y + high.y);
         pose[5] = -high.z;
 
-        // Rigid alignment: each of the six in turn, by ever smaller steps, while the rms falls.
+        // Rigid alignment: changes each of the six parameters in turn, by ever smaller steps, as long as the rms
+        // decreases.
         const TopMap map = topMap(tooth(fdi, 0), 0.1);
         double best = heightRms(map, points, pose, downToMm);
-        // Turns are about the file's origin, so each is joined by the shift that keeps the crown in place.
+        // Rotations are about the origin of the file, so each is combined with the shift that keeps the crown in place.
         for (double step = 0.4; step > 0.004; step *= 0.6)
             for (bool better = true; better;) {
                 better = false;
@@ -467,7 +471,8 @@ private slots:
                         const glm::dvec3 crown = -glm::dvec3{pose[3], pose[4], pose[5]};
                         trial[k] += k < 3 ? way / 5.0 : way;
                         if (k < 3) {
-                            // The crown's centre in file axes: undo the old turn by its transpose.
+                            // The centre of the crown in the axes of the file: undoes the old rotation by its
+                            // transpose.
                             const glm::dmat3 old(turned(pose, {1, 0, 0}), turned(pose, {0, 1, 0}),
                                                  turned(pose, {0, 0, 1}));
                             const glm::dvec3 moved = turned(trial, glm::transpose(old) * crown);

@@ -24,8 +24,8 @@ using terrain::ToothAnatomy;
 
 namespace {
 
-/// A slab of enamel down to -1 mm, with decay from -0.5 mm to -3.5 mm in the square 20 .. 43 (0.1 mm a cell). In the
-/// columns from 32 on the pulp begins at -4.2 mm, in the others there is none.
+/// Returns a slab with enamel down to -1 mm and decay from -0.5 mm to -3.5 mm in the square 20 .. 43 (0.1 mm a cell).
+/// In the columns from 32 on the pulp begins at -4.2 mm; the others have no pulp.
 std::shared_ptr<ToothAnatomy> decayedSlab(bool hasZones = true)
 {
     auto anatomy = support::slab(-1.0F);
@@ -44,7 +44,7 @@ std::shared_ptr<ToothAnatomy> decayedSlab(bool hasZones = true)
     return anatomy;
 }
 
-/// Decay in dentin from the top of a block down to -1.5 mm: soft to -0.5 mm, leathery to -1.0 mm, then firm.
+/// Returns a block with decay in dentin from the top down to -1.5 mm: soft to -0.5 mm, leathery to -1.0 mm, then firm.
 terrain::Tooth decayedBlock(bool hasZones)
 {
     auto block = std::make_shared<ToothAnatomy>(*support::makeBlock({.dejMm = 10.0, .cariesFloorMm = -1.5}));
@@ -59,7 +59,7 @@ core::servo::ServoSettings settingsFor(settings::DecayKind decay)
     return settings;
 }
 
-/// Presses a fissure bur down with 1 N and returns its pace between two depths, mm/s.
+/// Presses a fissure bur down with 1 N and returns its speed between two depths, mm/s.
 double paceBetween(const terrain::Tooth& tooth, const core::servo::ServoSettings& settings, double fromMm, double toMm)
 {
     const support::Bench bench(tooth, "57", settings);
@@ -90,7 +90,7 @@ private slots:
         };
         QCOMPARE(zones(0.0F, -3.0F, -1.0F).firmRoof, -2.5F);
         QCOMPARE(zones(0.0F, -3.0F, -1.0F).leatheryRoof, -2.0F);
-        // Too little dentin for all of them; decay in enamel alone; no decay.
+        // Too little dentin for all zones; decay in enamel alone; no decay.
         QCOMPARE(zones(0.0F, -1.75F, -1.0F).leatheryRoof, -1.0F);
         QCOMPARE(zones(0.0F, -1.25F, -1.0F).firmRoof, -1.0F);
         QCOMPARE(zones(0.0F, -0.5F, -1.0F).leatheryRoof, -0.5F);
@@ -103,7 +103,7 @@ private slots:
         QVERIFY(terrain::resampled(*decayedSlab(), terrain::Sampling::Half)->hasDecayZones);
     }
 
-    /// Each zone is cut at the pace of its own row, and firm decay as where all decay is firm.
+    /// Each zone is cut at the rate of its own row, and the firm zone as if all decay were firm.
     void aBurGoesSlowerFromZoneToZone()
     {
         const core::servo::ServoSettings graded = settingsFor(settings::DecayKind::Graded);
@@ -117,7 +117,7 @@ private slots:
         QVERIFY(firm < 0.85 * leathery);
     }
 
-    /// Zones take both a tooth and a preset that have them; otherwise decay is cut as ever, to the bit.
+    /// Zones require a tooth and a preset that have them. Otherwise decay is cut as before zones existed, to the bit.
     void withoutZonesDecayIsCutAsBefore()
     {
         const auto hashAfter = [](bool hasZones, settings::DecayKind decay) {
@@ -148,7 +148,7 @@ private slots:
         const auto outcome = recording::replay(*read);
         QVERIFY(support::succeeds(outcome));
         QCOMPARE(outcome->stateHash, rig.liveHash());
-        // Nothing is added to a tooth without, and the byte says one thing only.
+        // Nothing is added to a tooth without zones, and the byte has only one valid value.
         const std::string tooth = recording::toothBytes(*made.anatomy());
         QCOMPARE(recording::toothBytes(*decayedBlock(false).anatomy), tooth.substr(0, tooth.size() - 1));
         QVERIFY(recording::toothFrom(tooth.substr(0, tooth.size() - 1) + '\2') == nullptr);
@@ -157,7 +157,7 @@ private slots:
         QVERIFY(!recording::settingsFrom(settings.substr(0, settings.size() - 1)));
     }
 
-    /// Firm decay stays, and leathery decay over the pulp; at the junction nothing does.
+    /// The ideal leaves firm decay, and leathery decay over the pulp; at the junction it leaves none.
     void theIdealStopsAtFirmDentin()
     {
         const auto anatomy = decayedSlab();
@@ -166,7 +166,7 @@ private slots:
         anatomy->layers[at(26, 25)].cariesFloor = -1.8F;
         anatomy->layers[at(27, 25)].pulpRoof = -5.2F;
         anatomy->layers[at(27, 25)].pulpFloor = -6.0F;
-        anatomy->layers[at(28, 25)].cariesRoof = -3.2F;  // all of it is firm
+        anatomy->layers[at(28, 25)].cariesRoof = -3.2F;  // firm throughout
         const grading::IdealTop ideal = grading::idealCavity(*anatomy);
         QCOMPARE((*ideal)[at(24, 24)], -3.0F);
         QCOMPARE((*ideal)[at(40, 24)], -2.5F);
@@ -188,7 +188,7 @@ private slots:
         QVERIFY(support::near(measures.lesionMm3, area * 3.0, 1e-5));
         QVERIFY(support::near(measures.accessMm3, area * 0.5, 1e-5));
         QCOMPARE(measures.overcutMm3, 0.0);
-        // From the nearest column beside the pulp, a cell away.
+        // The nearest column is beside the pulp, one cell away.
         QVERIFY(support::near(measures.remainingOverPulpMm, std::hypot(1.2, 0.1), 1e-5));
         const grading::LesionCut cut = lesionCut(anatomy, ideal);
         QCOMPARE(cut.zones->softPercent.value, 0.0);
@@ -202,7 +202,7 @@ private slots:
     {
         const auto anatomy = decayedSlab();
         QVERIFY(support::near(lesionCut(anatomy, anatomy->top).zones->softPercent.value, 100.0, 1e-9));
-        // 0.2 mm of leathery decay stays in all columns: half of them lie over the pulp, where it may.
+        // 0.2 mm of leathery decay is left in all columns. Half of them are over the pulp, where it may stay.
         std::vector<float> top = *grading::idealCavity(*anatomy);
         for (float& height : top)
             height = height == -3.0F ? -2.8F : height;
@@ -210,7 +210,7 @@ private slots:
         QCOMPARE(leathery.zones->softPercent.value, 0.0);
         QVERIFY(support::near(leathery.zones->leatheryMm2.value, 12 * 24 * 0.01, 1e-5));
         QVERIFY(!grading::isOverPulp(*anatomy, leathery.zones->leatheryMm2.node));
-        // Firm decay that is taken out is no sound tissue, but too deep.
+        // Removed firm decay is not sound tissue, but counts as too deep.
         for (float& height : top)
             height = height < 0.0F ? -3.5F : height;
         QCOMPARE(grading::measure(terrain::restored(anatomy, top)).overcutMm3, 0.0);

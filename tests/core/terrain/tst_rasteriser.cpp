@@ -37,7 +37,8 @@ double silhouetteOf(const HeightMaps& maps)
     return std::accumulate(maps.areaMm2.begin(), maps.areaMm2.end(), 0.0);
 }
 
-/// Slow and obvious: every triangle at every node, by the signs of three determinants in long double, edges included.
+/// A slow reference: tests every triangle at every node by the signs of three determinants in long double, edges
+/// included.
 std::optional<std::pair<double, double>> heightsAt(const TriangleMesh& mesh, glm::dvec2 p)
 {
     double top = -1.0e9;
@@ -73,7 +74,7 @@ private slots:
     {
         support::columns<TriangleMesh, double>("mesh", "volume");
         const double pi = kPi;
-        // Off-grid: sides and places that share no factor with the cell.
+        // Sizes and positions share no factor with the cell, so that nothing is aligned with the grid.
         for (const double angle : {0.0, 0.1, 0.5, pi / 4}) {
             const auto add = [&](const char* name, const TriangleMesh& mesh, double volume) {
                 QTest::addRow("%s turned by %.2f", name, angle)
@@ -124,7 +125,7 @@ private slots:
             support::eachNode(maps.grid, [&](std::size_t k, const glm::dvec2& at) {
                 const auto expected = heightsAt(mesh, at);
                 if (!expected || expected->first - expected->second < 1e-4)
-                    return;  // a single sheet is empty
+                    return;  // a single sheet has no volume
                 QVERIFY(std::abs(static_cast<double>(maps.top[k]) - expected->first) < 2e-5);
                 QVERIFY(std::abs(static_cast<double>(maps.bottom[k]) - expected->second) < 2e-5);
             });
@@ -133,7 +134,7 @@ private slots:
 
     void everyNodeOfAFineRandomMeshIsCovered()
     {
-        // A sheet of 300 x 300 jittered squares: many nodes fall next to edges and corners.
+        // A sheet of 300 x 300 jittered squares: many nodes are close to edges and corners.
         core::Rng rng(7);
         constexpr int n = 300;
         TriangleMesh mesh;
@@ -152,7 +153,7 @@ private slots:
             }
         for (const int side : {64, 150, 500}) {
             const HeightMaps maps = rasterise(mesh, gridAround(mesh, side), 0.0);
-            // Nodes on the sheet's own rim are left out: which of them belong to it is a matter of taste.
+            // Leaves out the nodes on the rim of the sheet, because it is undefined which of them belong to it.
             const int last = side - kGridMargin - 2;
             support::eachOf(maps.grid, {kGridMargin + 1, last, kGridMargin + 1, last}, [&](std::size_t k) {
                 QVERIFY2(maps.top[k] > 0.99F && maps.bottom[k] == 0.0F, qPrintable(QString::number(k)));
@@ -162,7 +163,7 @@ private slots:
 
     void nodesOnSharedEdgesAndCornersAreNotMissed()
     {
-        // Sixty thin slices whose tip is a node and whose edges run through nodes.
+        // Sixty-four thin slices whose tip is a node and whose edges run through nodes.
         const Grid grid{64, 0.125, {-4.0, -4.0}};
         TriangleMesh mesh;
         mesh.vertices.emplace_back(0.0F, 0.0F, 1.0F);
@@ -219,7 +220,7 @@ private slots:
     void verticalSheetAloneGivesNothing()
     {
         TriangleMesh mesh = support::box(4.0F, 4.0F, 1.0F);
-        mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4);  // the walls stay
+        mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4);  // only the walls are left
         const HeightMaps maps = rasterise(mesh, gridAround(mesh, 64));
         QCOMPARE(volumeOf(maps), 0.0);
         QCOMPARE(silhouetteOf(maps), 0.0);
@@ -235,7 +236,7 @@ private slots:
 
     void overhangKeepsItsUndersideBesideAnOpening()
     {
-        // The upper part of a ball, cut off open 1 below its equator.
+        // The upper part of a ball, cut off 1 below its equator and open there.
         const TriangleMesh mesh = support::withoutBase(support::sphereCap(3.0F, 4.0F, 360, 100));
         const auto rim = static_cast<double>(mesh.vertices.front().z);
         const HeightMaps maps = rasterise(mesh, gridAround(mesh, 150), rim);

@@ -35,7 +35,7 @@ private slots:
             const auto other = core::terrain::resampled(*anatomy, sampling);
             QCOMPARE(other->grid.side, sampling == Sampling::Half ? 51 : 201);
             const core::terrain::Tooth same = core::terrain::resampled(tooth, other, sampling);
-            // Nodes that both have stand at the same place and hold the same.
+            // Nodes of both grids are at the same place and have the same content.
             for (int j = 0; j < 51; ++j)
                 for (int i = 0; i < 51; ++i) {
                     const std::size_t here = anatomy->grid.index(2 * i, 2 * j);
@@ -55,7 +55,7 @@ private slots:
                 QVERIFY2(std::abs(goneThere[material] / gone[material] - 1.0) < share,
                          qPrintable(QString::number(goneThere[material] / gone[material])));
         }
-        // All of the area is shared out.
+        // The whole area is distributed.
         const auto area = [](const core::terrain::ToothAnatomy& of) {
             return std::accumulate(of.areaMm2.begin(), of.areaMm2.end(), 0.0);
         };

@@ -98,7 +98,7 @@ private slots:
 
     void steepNormalsAreCalmed()
     {
-        // A steep ring, its normals shaken as the lattice shakes them.
+        // A steep ring whose normals are disturbed as by the lattice.
         const Grid grid{64, 0.1, {0.0, 0.0}};
         core::Rng rng(7);
         std::vector<glm::vec3> truth(grid.count(), glm::vec3(0.0F));

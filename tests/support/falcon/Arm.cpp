@@ -12,7 +12,7 @@ constexpr auto kStep = 1ms;
 constexpr auto kLongestCatchUp = 2s;
 constexpr double kMmPerM = 1000.0;
 
-/// The transport delays the force, and the commands limit it: the simulation does neither.
+/// Returns figures without delay and force limit, because the transport delays the force and the commands limit it.
 haptics::FalconFigures figures()
 {
     haptics::FalconFigures falcon;

@@ -36,7 +36,7 @@ public:
     BootLoader();
 
     void setOptions(const BootOptions& options);
-    /// As after power-up, or after a pulse of DTR.
+    /// Resets the loader, as after power-up or a pulse of DTR.
     void reset();
     void setDtr(bool high);
     [[nodiscard]] Reply receive(std::uint8_t byte, double baud);
@@ -46,7 +46,7 @@ public:
     [[nodiscard]] const std::vector<std::uint8_t>& image() const { return m_image; }
     [[nodiscard]] int queries() const { return m_queries; }
 
-    // What the byte just received was.
+    // The kind of the byte just received.
     [[nodiscard]] bool tookQuery() const { return m_tookQuery; }
     [[nodiscard]] bool tookAutobaud() const { return m_tookAutobaud; }
     [[nodiscard]] bool tookImageByte() const { return m_tookImageByte; }

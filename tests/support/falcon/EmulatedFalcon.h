@@ -14,8 +14,8 @@
 /// Novint Falcons without hardware. A program that links the object library `emulated_falcon` has its libusb functions
 /// from here, so that the driver runs as it is: open, control requests, transfers, hot-plug.
 ///
-/// A test plugs devices into emulatedBus(), which is empty at first, and then controls and asks them, from any thread.
-/// Mistakes in the use of libusb end the program with a sentence.
+/// A test plugs devices into emulatedBus(), which is empty at first, and then controls and inspects them, from any
+/// thread. Mistakes in the use of libusb end the program with a message.
 ///
 /// For a program that is not linked with it there is the shared library libemulated_falcon.so, see Preload.cpp.
 namespace support {
@@ -49,7 +49,7 @@ struct FalconState
     [[nodiscard]] bool motorsAreZero() const { return motors == std::array<std::int16_t, 3>{}; }
 };
 
-/// One device: the controls of a test, and its questions.
+/// One device: the controls and the inspection functions for a test.
 class EmulatedFalcon
 {
 public:
@@ -67,7 +67,7 @@ public:
     /// @param count  1: at the first occurrence from now on
     void plan(Accident what, Moment when, int count = 1);
 
-    // What the operating system answers.
+    // Results of the operating system.
     void setDenied(bool denied);          ///< libusb_open gives LIBUSB_ERROR_ACCESS
     void setBusy(bool busy);              ///< another program has claimed it
     void setKernelDriver(bool attached);  ///< a kernel driver is attached to it
@@ -90,7 +90,7 @@ public:
     /// homed after it. Without a hand only.
     void pullOutAndPushIn();
 
-    // Questions.
+    // Inspection.
     [[nodiscard]] FalconState state();
     [[nodiscard]] std::vector<std::uint8_t> image();
     /// Returns up to Hardware::kRemembered answers, newest last.
@@ -118,7 +118,7 @@ private:
     bool m_kernelDriver = false;
 };
 
-/// Objects that a program has not given back to libusb.
+/// Number of libusb objects that a program has not released.
 struct UsbObjects
 {
     int contexts = 0;

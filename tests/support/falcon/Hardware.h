@@ -28,7 +28,7 @@ enum class Moment : std::uint8_t {
 enum class Accident : std::uint8_t {
     Unplug,
     PowerLoss,            ///< the firmware is gone; USB stays
-    PowerLossWithReplug,  ///< the firmware is gone, and the device enumerates anew
+    PowerLossWithReplug,  ///< the firmware is gone, and the device enumerates again
 };
 
 /// One answer as the firmware composed it, before any fault.

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The emulated Falcon under a program that was built without it: build/RELEASE/tests/libemulated_falcon.so, loaded with
+// The emulated Falcon for a program that was built without it: build/RELEASE/tests/libemulated_falcon.so, loaded with
 //
 //     LD_PRELOAD=.../libemulated_falcon.so CUSP_EMULATED_FALCON=FOLDER cusp ...
 //
-// The program's libusb calls come here. From its first libusb_init on, a thread obeys the lines of FOLDER/command, from
-// the first line of the file (or FIFO) to what is appended later; Commands.h lists them. Without the variable, or with
-// an empty file, there is a USB without devices. These files are written:
+// The program's libusb calls come here. From its first libusb_init on, a thread executes the lines of FOLDER/command, a
+// file or FIFO, including lines that are appended later; Commands.h lists them. Without the variable, or with an empty
+// file, there is a USB without devices. These files are written:
 //
-//     FOLDER/state         what the device was last told: StateFile.h. Readable after the program was killed
+//     FOLDER/state         last state of the device: StateFile.h. Readable after the program was killed
 //     FOLDER/firmware.bin  the image that was loaded last
-//     FOLDER/unknown       lines of the command file that could not be obeyed
+//     FOLDER/unknown       lines of the command file that could not be executed
 //
-// Programs that run at the same time with the same folder: the first one has the device; to the others it is busy.
+// If several programs run with the same folder, the first one has the device, and the others find it busy.
 #include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
@@ -48,7 +48,7 @@ public:
         if (m_file < 0)
             abortFor("the file \"command\" cannot be read");
     }
-    /// Null if no whole line has come.
+    /// Returns the next line, or null if no whole line has arrived.
     std::optional<std::string> next()
     {
         char bytes[512];
@@ -99,7 +99,7 @@ public:
         }
     }
 
-    /// Lets time pass for the device, also while the program does nothing.
+    /// Advances the device's time, also while the program does nothing.
     void look()
     {
         EmulatedFalcon* const device = m_commands.device();
@@ -133,7 +133,7 @@ void start()
     auto* const controller = new Controller(folder);
     controller->obeyNewLines();
     controller->look();
-    // No signal of the program is handled in a thread that the program does not know.
+    // A signal to the program must not be handled in this thread, which the program does not know.
     sigset_t all;
     sigset_t before;
     sigfillset(&all);

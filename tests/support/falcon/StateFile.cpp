@@ -26,7 +26,7 @@ long millisecondsOf(const std::optional<falcon::Time>& time)
     return time ? millisecondsOf(*time) : -1;
 }
 
-/// Text of fixed capacity; what does not fit is cut.
+/// Text of fixed capacity. Text that does not fit is cut off.
 class Text
 {
 public:
@@ -38,11 +38,11 @@ public:
     }
     void vector(const char* name, const glm::dvec3& v)
     {
-        // Rounded here, so that no small negative number is written as -0.000.
+        // Rounds here, so that a small negative number is not written as -0.000.
         const auto rounded = [](double x) { return std::round(x * 1000.0) / 1000.0 + 0.0; };
         line("%s %.3f %.3f %.3f\n", name, rounded(v.x), rounded(v.y), rounded(v.z));
     }
-    /// The rest of the file is empty lines.
+    /// Fills the rest of the file with empty lines.
     void fill() { std::memset(m_bytes + m_size, '\n', sizeof(m_bytes) - m_size); }
     [[nodiscard]] const char* bytes() const { return m_bytes; }
 

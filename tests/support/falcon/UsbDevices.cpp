@@ -38,7 +38,7 @@ void forgetCallback(libusb_context& context, int number)
     std::erase_if(context.callbacks, [&](const HotplugCallback& callback) { return callback.number == number; });
 }
 
-/// Calls the callbacks that an event concerns, without the lock.
+/// Calls the callbacks for an event, without the lock.
 void callFor(libusb_context& context, const HotplugEvent& event, UsbAccess::Lock& lock, int onlyNumber = 0)
 {
     const auto callbacks = context.callbacks;
@@ -512,7 +512,7 @@ int libusb_hotplug_register_callback(libusb_context* pointer, int events, int fl
         *number = made;
     if ((flags & LIBUSB_HOTPLUG_ENUMERATE) == 0)
         return LIBUSB_SUCCESS;
-    // As libusb does: called from here, not from libusb_handle_events.
+    // Like libusb, calls the callbacks from here, not from libusb_handle_events.
     std::vector<libusb_device*> present;
     for (const auto& device : usb().devices)
         if (device->context == &context && device->falcon != nullptr) {

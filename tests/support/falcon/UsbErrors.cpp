@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libusb's names of its error codes.
+// The names of libusb's error codes.
 #include "tests/support/falcon/UsbObjects.h"
 
 namespace {

@@ -25,7 +25,7 @@ struct libusb_device
     std::string serial;
     int port = 0;
     int address = 0;
-    int references = 0;  ///< held by the program and by events that it has not been told of
+    int references = 0;  ///< held by the program and by events that it has not received yet
 };
 
 struct libusb_device_handle
@@ -111,7 +111,7 @@ struct UsbAccess
     static bool isBusy(const EmulatedFalcon& device) { return device.m_busy; }
     static bool& kernelDriver(EmulatedFalcon& device) { return device.m_kernelDriver; }
 
-    /// Makes the context's objects of a device that is plugged in.
+    /// Makes the context's objects for a device that is plugged in.
     libusb_device& addDevice(libusb_context& context, EmulatedFalcon& falcon);
     void addDevices(libusb_context& context);
 

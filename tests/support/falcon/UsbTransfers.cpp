@@ -64,7 +64,7 @@ bool readInto(libusb_transfer& transfer, falcon::Hardware& hardware, Time now)
     return false;
 }
 
-/// Whether the transfer has ended by now, and how.
+/// Returns how the transfer has ended; empty if it has not ended yet.
 std::optional<libusb_transfer_status> outcome(UsbTransfer& transfer, Time now)
 {
     falcon::Hardware* const hardware = hardwareOf(transfer);
@@ -94,7 +94,8 @@ void collect(libusb_context& context, Time now)
     });
 }
 
-/// Calls the callbacks of what has ended, without the lock. What they submit has to wait for the next round.
+/// Calls the callbacks of the transfers that have ended, without the lock. Transfers that end during the calls wait for
+/// the next round.
 bool callBack(libusb_context& context, UsbAccess::Lock& lock)
 {
     const std::size_t count = context.done.size();
@@ -113,7 +114,7 @@ bool callBack(libusb_context& context, UsbAccess::Lock& lock)
     return count > 0;
 }
 
-/// When collect() has something to do next, if the program does nothing.
+/// Returns the time of the next event for collect(), if the program does nothing.
 Time nextEvent(const libusb_context& context)
 {
     Time next = kNever;
@@ -125,6 +126,7 @@ Time nextEvent(const libusb_context& context)
     return next;
 }
 
+/// Handles events until the deadline.
 /// @param completed  returns as soon as it is not 0; may be null
 int handleEvents(libusb_context& context, Time deadline, const int* completed)
 {

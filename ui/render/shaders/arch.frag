@@ -1,22 +1,22 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Teeth and gums of the mouth, under the light of tooth.frag.
+// Shades the teeth and gums of the mouth, lit as in tooth.frag.
 in vec3 positionMm;
 in vec3 normalInScene;
 in float openHere;
 in float tissueHere;  // 0 enamel, 1 root, 2 gum, 3 mucosa
 in float neckwards;
-in float shownHere;  // 0: faded into the room behind
+in float shownHere;  // 1: opaque, 0: faded into the background
 
 uniform vec3 eyeMm;
 uniform vec3 towardsLight;
 uniform vec3 towardsSky;
-uniform vec2 highlight;  // chosen, hovered
-uniform float dimmed;    // how far it steps back behind the tooth being worked on
+uniform vec2 highlight;  // x: selected, y: hovered
+uniform float dimmed;    // darkens the pieces around the tooth being worked on
 
 out vec4 colour;
 
-// Linear light; enamel and dentin as in tooth.frag.
+// Linear colours; enamel and dentin as in tooth.frag.
 const vec3 kEnamel = vec3(0.89, 0.83, 0.71);
 const vec3 kNeckEnamel = vec3(0.85, 0.74, 0.54);
 const vec3 kDentin = vec3(0.84, 0.65, 0.36);
@@ -41,7 +41,7 @@ void main()
     base = mix(base, mix(kGum, kMucosa, smoothstep(2.1, 2.9, tissueHere)), soft);
 
     float open = openHere;
-    // Pits and fissures: where a tooth is not open its enamel is stained a little.
+    // Slightly stains the enamel in pits and fissures, which see little of the sky.
     base *= mix(vec3(0.62, 0.52, 0.40), vec3(1.0), mix(smoothstep(0.25, 0.62, open), 1.0, soft));
     float facingEye = max(dot(normal, towardsEye), 0.0);
     float wrap = mix(0.35, 0.5, soft);
@@ -52,7 +52,7 @@ void main()
     float head = facingEye * mix(open, 1.0, 0.3);
     vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, towardsSky)) * open;
     vec3 lit = base * (0.72 * lamp * kLamp * warm + 0.22 * head + 0.27 * sky);
-    // Light bounced between pink walls.
+    // Light reflected between pink surfaces.
     lit += base * base * (1.0 - open) * 0.10;
 
     // Gloss: polished enamel, moist gum.
@@ -72,7 +72,7 @@ void main()
 
     lit = mix(lit, lit * kChosen * 1.25 + kChosen * 0.12 * grazing, 0.8 * highlight.x);
     lit += highlight.y * (0.10 + 0.25 * grazing) * vec3(0.75, 1.0, 1.0);
-    // Stepping back: darker and greyer.
+    // Dimming: darker and greyer.
     lit = mix(lit, vec3(dot(lit, vec3(0.3, 0.5, 0.2))) * 0.55, dimmed);
     if (!gl_FrontFacing)
         lit *= 0.7;

@@ -7,15 +7,15 @@ layout(location = 3) in float tissue;
 layout(location = 4) in float shown;
 
 uniform mat4 clipFromPiece;
-uniform vec4 clipPlane;       // scene frame; zero: nothing is cut off
-uniform mat4 sceneFromPiece;  // turns and mirrors, does not scale
+uniform vec4 clipPlane;       // scene frame; zero: no clipping
+uniform mat4 sceneFromPiece;  // rotates and mirrors, does not scale
 
 out vec3 positionMm;
 out vec3 normalInScene;
 out float openHere;
 out float tissueHere;
 out float shownHere;
-out float neckwards;  // 0 at the tip of the tooth, 1 a crown below it
+out float neckwards;  // 0 at the tip of the tooth, 1 from 9 mm below it
 
 void main()
 {

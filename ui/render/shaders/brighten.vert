@@ -1,13 +1,13 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The upper surface once more, to multiply upon its picture what bur and handpiece change of the light.
+// Draws the upper surface again, to multiply its picture by the light changes from bur and handpiece.
 uniform mat4 clipFromTooth;
 uniform sampler2D places;    // x, y as drawn, mm
 uniform sampler2D heights;   // as drawn, mm
 uniform sampler2D burLight;  // from burlight.frag
-uniform vec4 clipPlane;      // of the mirror, tooth frame; zero: nothing is cut off
+uniform vec4 clipPlane;      // clip plane of the mirror, tooth frame; zero: no clipping
 
-invariant gl_Position;  // as in tooth.vert
+invariant gl_Position;  // must equal the position in tooth.vert
 out float halfBrighter;
 
 void main()

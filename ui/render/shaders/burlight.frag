@@ -1,25 +1,25 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What bur and handpiece change of the light on the upper surface: the shadow they throw under the operating light, and
-// the light of the handpiece itself. One pixel a lattice node: half of how many times as bright it then looks.
+// Computes how bur and handpiece change the light on the upper surface: their shadows under the operating light, and
+// the light of the handpiece's lamp. One pixel per lattice node: half the factor of its brightness.
 uniform sampler2D places;   // x, y as drawn, mm
 uniform sampler2D heights;  // as drawn, mm
 uniform sampler2D normals;  // x, y of the unit normal
 uniform sampler2D light;    // openness to the sky, operating light, cut, crevice
-uniform vec3 lattice;       // x, y of the first node, mm; nodes a mm
+uniform vec3 lattice;       // x, y of the first node, mm; nodes per mm
 uniform vec3 towardsLight;
-uniform vec3 tipMm;         // of the bur
-uniform vec4 castFrom[5];   // what throws the shadow: beginnings of round rods, mm, and their radius
-uniform vec4 castTo[5];     // and their ends, and the most light that they keep away
-uniform float penumbra;     // half its width a millimetre of height
-uniform float softestMm;    // half the width of an edge, at least
-uniform float lampReachMm;  // about the bur
-uniform vec3 burLampMm;     // the handpiece's own light
+uniform vec3 tipMm;         // tip of the bur
+uniform vec4 castFrom[5];   // rods that cast the shadow: start, mm, and radius
+uniform vec4 castTo[5];     // end, mm, and the largest share of light that the rod blocks
+uniform float penumbra;     // half-width of the penumbra per millimetre of height
+uniform float softestMm;    // least half-width of a shadow's edge
+uniform float lampReachMm;  // reach of the lamp's light around the bur
+uniform vec3 burLampMm;     // position of the handpiece's lamp
 uniform float burLamp;      // 1 on, 0 off
 
 out vec4 colour;
 
-/// Share of the operating light that a rod keeps from a point.
+/// Returns the share of the operating light that a rod blocks at a point.
 float shadowOf(vec3 from, vec3 begin, vec3 end, float radius)
 {
     vec3 rod = end - begin;
@@ -36,7 +36,8 @@ float shadowOf(vec3 from, vec3 begin, vec3 end, float radius)
     return min(1.0, radius / soft) * (1.0 - smoothstep(radius - soft, radius + soft, near));
 }
 
-/// How much of the handpiece's light arrives at a slope (z of its normal): what stands between takes it away, softly.
+/// Returns the share of the lamp's light that arrives at a surface whose normal has this z. Ground in between blocks it
+/// gradually.
 float burLightAt(vec3 from, float slope)
 {
     float side = float(textureSize(heights, 0).x);
@@ -45,7 +46,7 @@ float burLightAt(vec3 from, float slope)
     for (int k = 1; k <= 10; ++k) {
         vec3 at = from + way * (0.012 * float(k * k) + 0.01);
         float ground = textureLod(heights, ((at.xy - lattice.xy) * lattice.z + 0.5) / side, 0.0).r;
-        // Beside a flank the way up is no way through.
+        // On a flank, ground above the ray counts less.
         float over = (ground - at.z) * slope;
         open = min(open, 1.0 - smoothstep(0.0, 0.25 + 0.02 * float(k * k), over));
     }
@@ -60,12 +61,12 @@ void main()
     vec3 normal = vec3(across, sqrt(max(1.0 - dot(across, across), 0.0)));
     vec4 shade = texelFetch(light, node, 0);
 
-    // The light that is there, as tooth.frag has it.
+    // The light without bur and handpiece, as in tooth.frag.
     float open = shade.r * sqrt(shade.r);
     float lamp = max((dot(normal, towardsLight) + 0.35) / 1.35, 0.0);
     lamp *= lamp * 0.35 + 0.65;
     lamp *= 0.72 * mix(0.24, 1.0, shade.g) * mix(open, 1.0, 0.5);
-    float head = 0.18 * normal.z * mix(open, 1.0, 0.35);  // of an eye above, as most are
+    float head = 0.18 * normal.z * mix(open, 1.0, 0.35);  // for an eye above the tooth, the usual viewpoint
     float all = lamp + head + 0.22 * open + 0.04;
 
     float arrives = 1.0;
@@ -79,6 +80,6 @@ void main()
         own *= (1.0 - smoothstep(2.0, lampReachMm, length(positionMm.xy - tipMm.xy))) * burLightAt(positionMm + normal * 0.05, normal.z);
         now += 0.3 * own;
     }
-    // The under surface has no such map: what changes on the upper one fades towards the height of contour.
+    // The lower surface has no such map, so the changes on the upper one fade towards the height of contour.
     colour = vec4(0.5 * mix(1.0, sqrt(now / all), smoothstep(0.0, 0.35, normal.z)));
 }

@@ -1,6 +1,7 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the mirror shows has been drawn as the eye sees it: each pixel of the glass finds its own there.
+// Shades the mirror's glass. The reflection has been drawn from the eye, so each pixel uses the one at its own
+// position.
 in vec2 onGlass;
 uniform sampler2D reflection;
 uniform vec2 sizePx;

@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The glass of the dental mirror: a disc of 64 corners in the mirror's frame, just before the metal behind it.
+// The glass of the dental mirror: a disc of 64 corners in the mirror's frame, just in front of the metal.
 uniform mat4 clipFromMirror;
 uniform float radiusMm;
 

@@ -1,11 +1,11 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ribbon between two points, as wide as asked in pixels.
+// A ribbon between two points, of a width given in clip units.
 uniform mat4 clipFromTooth;
 uniform vec3 fromMm;
 uniform vec3 toMm;
 uniform vec2 halfWidth;  // clip units across
-uniform vec4 clipPlane;  // of the mirror, tooth frame; zero: nothing is cut off
+uniform vec4 clipPlane;  // clip plane of the mirror, tooth frame; zero: no clipping
 
 out float along;
 

@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steel in a lit room: what it mirrors is a soft sky, a bright lamp and a dark floor.
+// Shades steel, which reflects a soft sky, a bright lamp and a dark floor.
 in vec3 positionMm;
 in vec3 normalInTooth;
 in vec2 onPart;  // angle about the axis of a turned part, and height
@@ -9,20 +9,20 @@ in float finishHere;
 uniform vec3 eyeMm;
 uniform mat3 eyeRotation;  // eye from tooth
 uniform vec3 towardsLight;
-uniform float turnRad;     // how far the bur has turned
-uniform float blur;        // 0 standing still, 1 spinning: the blades run together
-uniform float fade;        // 1 solid, less: a ghost
-uniform vec4 tint;         // colour of the head, and how much of it
-uniform vec2 grains;       // of a diamond: around its head, and along a millimetre
-uniform vec3 ring;         // colour of the ring on its shank
+uniform float turnRad;     // rotation of the bur
+uniform float blur;        // 0: at rest, 1: spinning, blades blurred
+uniform float fade;        // 1: opaque, less: transparent
+uniform vec4 tint;         // colour of the head, and its opacity
+uniform vec2 grains;       // of a diamond bur: grains around its head, and grains per millimetre
+uniform vec3 ring;         // colour of the ring on a diamond's shank
 uniform vec2 workFrom;     // pixels: the part of the bur that must not be hidden, from its tip
 uniform vec2 workTo;
-uniform float workRadius;  // pixels about that part, 0: opaque everywhere
-uniform float tipAwayMm;   // from the eye
+uniform float workRadius;  // radius around that part, pixels; 0: opaque everywhere
+uniform float tipAwayMm;   // distance of the tip from the eye
 
 out vec4 colour;
 
-// Powers by squaring, and a bell of squares: a software driver takes ten times as long for pow() and exp().
+// Powers by squaring, and a bell curve of squares, because pow() and exp() take a software driver ten times as long.
 float bell(float t)
 {
     float quarter = 1.0 / (1.0 + 0.25 * t);
@@ -30,7 +30,7 @@ float bell(float t)
     return quarter * quarter;
 }
 
-// Two numbers from 0 to 1 that look random, for each grain.
+// Returns two pseudo-random numbers from 0 to 1 for each grain.
 vec2 random(ivec2 grain)
 {
     uint h = uint(grain.x) * 0x9E3779B1u + uint(grain.y) * 0x85EBCA6Bu;
@@ -50,8 +50,8 @@ void main()
         base = ring;
         gloss = 0.3;
     } else if (finishHere > 3.5) {
-        // Grains in matt nickel, in rows of which every other one is half a grain on. Grains that are smaller than a
-        // pixel, and those of a bur that spins, run together.
+        // Grains in matt nickel, in rows; every other row is shifted by half a grain. Grains smaller than a pixel, and
+        // those of a spinning bur, are blurred.
         vec2 place = vec2((onPart.x + turnRad) / 6.2831853 * grains.x, onPart.y * grains.y);
         float sizePx = 1.0 / max(max(fwidth(onPart.x) / 6.2831853 * grains.x, fwidth(place.y)), 1.0e-4);
         place.x += 0.5 * mod(floor(place.y), 2.0);
@@ -66,14 +66,14 @@ void main()
         gloss = 0.15 + 0.9 * seen * step(0.85, dice.y) * facet;
         matt = 1.0;
     } else if (finishHere > 1.5) {
-        // Six blades with a slow helix: each a slope that ends in a step.
+        // Six blades along a slight helix. Each is a slope that ends in a step.
         float around = onPart.x + turnRad + 0.55 * onPart.y;
         float blade = fract(around * 6.0 / 6.2831853);
         float groove = smoothstep(0.0, 0.28, blade) * (1.0 - smoothstep(0.86, 1.0, blade));
         vec3 tangent = normalize(vec3(-normal.y, normal.x, 0.0) + 1.0e-5);
         normal = normalize(normal + tangent * (blade - 0.45) * 1.1 * (1.0 - blur));
         if (finishHere > 2.5) {
-            // Notches across the blades, of every other one in between.
+            // Notches across the blades, staggered from blade to blade.
             float along = onPart.y * 2.2 + 0.5 * mod(floor(around * 6.0 / 6.2831853), 2.0);
             groove *= smoothstep(0.0, 0.10, abs(fract(along) - 0.5) - 0.06);
         }
@@ -84,8 +84,8 @@ void main()
     }
     base = mix(base, tint.rgb, tint.a);
     gloss *= 1.0 - 0.85 * tint.a;
-    // The room as the eye sees it mirrored: a soft sky, a long lamp to the left, a thin one to the right, and between
-    // them the dark of the room that makes steel look like steel.
+    // The reflected room as the eye sees it: a soft sky, a long lamp on the left and a thin one on the right. The dark
+    // between them makes steel look like steel.
     vec3 seen = eyeRotation * normal;
     float sky = 0.10 + 0.42 * smoothstep(-0.7, 0.95, seen.y);
     float left = seen.x + 0.45;
@@ -113,7 +113,7 @@ void main()
         vec2 here = gl_FragCoord.xy - workFrom;
         float along = clamp(dot(here, work) / max(dot(work, work), 1.0), 0.0, 1.0);
         float away = length(here - work * along) / workRadius;
-        // Close before the eye it would be a wall.
+        // Close to the eye the metal would hide everything, so it fades out.
         float near = smoothstep(0.2, 0.4, length(eyeMm - positionMm) / tipAwayMm);
         opacity = mix(0.14 + 0.5 * rim, 1.0, smoothstep(0.75, 1.25, away)) * near;
     }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec2 finish;  // what it is made of; angle about the axis
+layout(location = 2) in vec2 finish;  // material; angle about the axis
 
 uniform mat4 clipFromTooth;
 uniform mat4 toothFromPart;
-uniform float topMm;     // of the part; what is higher is pushed down to here
-uniform vec4 clipPlane;  // of the mirror, tooth frame; zero: nothing is cut off
+uniform float topMm;     // upper end of the part; higher vertices are moved down to it
+uniform vec4 clipPlane;  // clip plane of the mirror, tooth frame; zero: no clipping
 
 out vec3 positionMm;
 out vec3 normalInTooth;

@@ -1,15 +1,15 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pictures of one or two eyes become what the screen shows.
+// Combines the pictures of one or two eyes into the picture on the screen.
 in vec2 place;  // -1 .. 1
 uniform sampler2D leftEye;
 uniform sampler2D rightEye;
 uniform int stereo;  // as render::Stereo
-uniform vec2 flip;   // 1: that axis is turned over
+uniform vec2 flip;   // 1: flips that axis
 
 out vec4 colour;
 
-// Least squares of what an eye sees through each filter of red and cyan glasses on a common display: Dubois, ICASSP
+// Least-squares approximation of what each eye sees through red and cyan glasses on a common display: Dubois, ICASSP
 // 2001. Columns are red, green and blue of the eye's picture.
 const mat3 kLeft = mat3(0.4561, -0.0401, -0.0152, 0.5005, -0.0378, -0.0206, 0.1764, -0.0158, -0.0055);
 const mat3 kRight = mat3(-0.0435, 0.3785, -0.0722, -0.0879, 0.7336, -0.1130, -0.0016, -0.0185, 1.2264);
@@ -18,7 +18,7 @@ const vec3 kGrey = vec3(0.299, 0.587, 0.114);
 void main()
 {
     vec2 at = mix(0.5 + 0.5 * place, 0.5 - 0.5 * place, flip);
-    // Each eye is read once, whatever the mode: a software driver runs both sides of every branch.
+    // Both eyes are read once in every mode, because a software driver executes both sides of every branch.
     bool beside = stereo == 3;
     bool above = stereo == 4;
     vec2 size = vec2(beside ? 2.0 : 1.0, above ? 2.0 : 1.0);

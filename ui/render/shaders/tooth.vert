@@ -1,27 +1,27 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One vertex a lattice node, which comes from the maps. What depends on the node alone is
-// read here and not for every pixel: a node covers a dozen of them.
+// One vertex per lattice node, read from the maps. Values that depend only on the node are read here and not for each
+// pixel, because a node covers about a dozen pixels.
 uniform mat4 clipFromTooth;
 uniform sampler2D places;   // x, y as drawn, mm
 uniform sampler2D heights;  // as drawn, mm
 uniform sampler2D normals;  // x, y of the unit normal
-uniform sampler2D upperLayers;  // of it only the dentin, mm
-uniform sampler2D lowerLayers;  // of it only the uncut surface, mm
-uniform sampler2D ideal;    // of it only how far the ideal surface lies below the uncut one, mm
+uniform sampler2D upperLayers;  // only z is used: the dentin, mm
+uniform sampler2D lowerLayers;  // only z is used: the uncut surface, mm
+uniform sampler2D ideal;    // only x is used: depth of the ideal surface below the uncut one, mm
 uniform sampler2D light;    // openness to the sky, operating light, cut, crevice
-uniform vec4 clipPlane;     // of the mirror, tooth frame; zero: nothing is cut off
+uniform vec4 clipPlane;     // clip plane of the mirror, tooth frame; zero: no clipping
 uniform float facing;       // 1 upper surface, -1 lower
-uniform vec3 lattice;       // x, y of the first node, mm; nodes a mm
+uniform vec3 lattice;       // x, y of the first node, mm; nodes per mm
 
-invariant gl_Position;  // as in brighten.vert
+invariant gl_Position;  // must equal the position in brighten.vert
 out vec3 positionMm;
-out vec3 normalHere;  // turned linearly from node to node, or the rim, where z goes through 0, would show
+out vec3 normalHere;  // interpolated linearly, so that the rim, where z passes 0, is invisible
 out vec4 shadeHere;
-out float cutMm;     // below the uncut surface
-out float tooDeepMm;  // below the ideal one
-out float enamelHere;  // over the dentin of this column, mm
-out vec2 onLattice;  // where the layers of this column are, as a texture is read
+out float cutMm;     // depth below the uncut surface
+out float tooDeepMm;  // depth below the ideal surface
+out float enamelHere;  // enamel above the dentin of this column, mm
+out vec2 onLattice;  // texture coordinates of this column's layers
 
 void main()
 {
@@ -35,7 +35,7 @@ void main()
     vec2 across = texelFetch(normals, node, 0).rg;
     normalHere = vec3(across, facing * sqrt(max(1.0 - dot(across, across), 0.0)));
     shadeHere = texelFetch(light, node, 0);
-    // The map of light is the upper surface's.
+    // The light map is that of the upper surface.
     if (facing < 0.0)
         shadeHere = mix(vec4(1.0, 1.0, 0.0, 0.5), vec4(0.8, 0.6, 0.0, 0.5), smoothstep(0.0, 0.8, -normalHere.z));
     onLattice = ((placeMm - lattice.xy) * lattice.z + 0.5) / float(side);
