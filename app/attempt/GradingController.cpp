@@ -130,7 +130,7 @@ void GradingController::gradeNow()
         showGrade();
         if (m_graded->keeping == Keeping::Nowhere)
             saveGrade();  // the disk may be writable now
-        m_analysis.tellAgain();
+        m_analysis.emitFound();
         return;
     }
     if (m_context.attempt.assignment().exercise && !(practised && core::grading::isBegun(*practised))) {

@@ -84,7 +84,7 @@ void ScoreAnalysis::takeMoments(const core::Result<std::optional<lessons::PointL
     }
 }
 
-void ScoreAnalysis::tellAgain()
+void ScoreAnalysis::emitFound()
 {
     if (m_noise)
         emit noiseFound(*m_noise);

@@ -34,7 +34,7 @@ public:
     void explain(const lessons::Assignment& assignment, const core::recording::Recording& recording,
                  std::shared_ptr<const core::terrain::Tooth> tooth, const lessons::Conduct& conduct);
     /// Emits the signals for all results so far again.
-    void tellAgain();
+    void emitFound();
     /// Cancels the analysis and clears its results.
     void forget();
     /// Shows each result on the score page when it arrives.

@@ -57,7 +57,7 @@ Status JournalLoop::bringUpToDate()
                 return {};
             if (Status written = m_file->append(part.events); !written)
                 return written;
-            tellWritten();
+            reportWritten();
         } else {
             if (!part.isWorthKeeping || m_generation <= m_leftOut.load(std::memory_order_acquire))
                 return {};
@@ -68,7 +68,7 @@ Status JournalLoop::bringUpToDate()
             if (!made)
                 return tl::unexpected(made.error());
             setFile(std::move(*made));
-            tellWritten();
+            reportWritten();
         }
         m_written.store(m_file->events(), std::memory_order_release);
     }
@@ -83,7 +83,7 @@ void JournalLoop::setFile(std::shared_ptr<recording::JournalFile> file)
     m_toSync = m_file;
 }
 
-void JournalLoop::tellWritten()
+void JournalLoop::reportWritten()
 {
     {
         const std::lock_guard lock(m_mutex);

@@ -70,7 +70,7 @@ private:
     void beginWith(std::uint64_t generation);
     void sync();
     void syncWhenWritten();
-    void tellWritten();
+    void reportWritten();
     void setFile(std::shared_ptr<recording::JournalFile> file);
     void tell(const Error& error);
 

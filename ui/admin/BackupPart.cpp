@@ -158,7 +158,7 @@ void BackupPart::retranslateUi()
     tell();
 }
 
-void BackupPart::tellEnd()
+void BackupPart::showResult()
 {
     const QString said = m_sentence ? m_sentence() : QString();
     m_said->setText(m_isFault && !said.isEmpty() ? QStringLiteral("⚠ ") + said : said);
@@ -199,7 +199,7 @@ void BackupPart::tell()
                "are in no backup are entered again. The present file is kept beside it.")
                 .arg(chosenRow().data().toString()));
     else if (!m_isBusy)
-        tellEnd();
+        showResult();
 }
 
 void BackupPart::fill()

@@ -75,7 +75,7 @@ private:
     void connectButtons();
     void retranslateUi();
     void tell();
-    void tellEnd();
+    void showResult();
     void fill();
     void restore();
     [[nodiscard]] QModelIndex chosenRow() const;

@@ -302,13 +302,13 @@ void PeoplePart::connectClasses()
         if (const QString name = m_className->text().trimmed(); item != nullptr && !name.isEmpty())
             emit classNameRequested(item->data(kId).toLongLong(), name);
     });
-    const auto tellRename = [this] {
+    const auto updateRename = [this] {
         m_renameClass->setEnabled(m_classList->currentItem() != nullptr && !m_className->text().trimmed().isEmpty());
         m_addClass->setEnabled(!m_className->text().trimmed().isEmpty());
     };
-    connect(m_className, &QLineEdit::textChanged, this, tellRename);
-    connect(m_classList, &QListWidget::currentRowChanged, this, tellRename);
-    tellRename();
+    connect(m_className, &QLineEdit::textChanged, this, updateRename);
+    connect(m_classList, &QListWidget::currentRowChanged, this, updateRename);
+    updateRename();
 }
 
 /// Ticks the class whose name was typed, or requests a new class of that name.

@@ -90,9 +90,9 @@ LessonsPage::LessonsPage(const Actions& actions, QWidget* parent)
     text::bindTranslation(this, [this] {
         setTitle(tr("Lessons"));
         fillList();
-        tellContinue();
-        tellFeedback();
-        tellMissing();
+        updateContinue();
+        updateFeedback();
+        updateMissing();
     });
 }
 
@@ -363,8 +363,8 @@ void LessonsPage::setLessons(std::vector<CatalogEntry> entries, std::map<std::st
         return place(a) < place(b);
     });
     fillList();
-    tellContinue();
-    tellMissing();
+    updateContinue();
+    updateMissing();
 }
 
 const Standing* LessonsPage::standingOf(const CatalogEntry& entry) const
@@ -390,7 +390,7 @@ void LessonsPage::setUnfinished(const std::function<QString()>& title, const QDa
 {
     m_unfinished = title;
     m_unfinishedBegun = begun;
-    tellContinue();
+    updateContinue();
 }
 
 /// Returns whether the student has used all attempts at the lesson.
@@ -411,7 +411,7 @@ const CatalogEntry* LessonsPage::lastTried() const
     return last != nullptr && !standingOf(*last)->passed && !isUsedUp(*last) ? last : nullptr;
 }
 
-void LessonsPage::tellContinue()
+void LessonsPage::updateContinue()
 {
     const CatalogEntry* const last = lastTried();
     m_continue->setVisible(m_unfinished || last != nullptr);
@@ -443,10 +443,10 @@ void LessonsPage::setFeedback(const std::vector<database::Feedback>& feedback)
     m_feedback.clear();
     std::copy_if(feedback.begin(), feedback.end(), std::back_inserter(m_feedback),
                  [](const database::Feedback& one) { return one.isNew; });
-    tellFeedback();
+    updateFeedback();
 }
 
-void LessonsPage::tellFeedback()
+void LessonsPage::updateFeedback()
 {
     if (m_feedback.empty()) {
         m_feedbackCard->setNews(0, {}, {});
@@ -463,7 +463,7 @@ void LessonsPage::tellFeedback()
 }
 
 /// Lists assigned lessons whose file is missing: a teacher's own lesson may exist only on that teacher's computer.
-void LessonsPage::tellMissing()
+void LessonsPage::updateMissing()
 {
     QStringList missing;
     for (const auto& [id, given] : m_given)

@@ -129,9 +129,9 @@ private:
     [[nodiscard]] QString searchedWords(const ::lessons::CatalogEntry& entry) const;
     [[nodiscard]] std::vector<std::size_t> found() const;
     void fillCard(QStandardItem& item, const ::lessons::CatalogEntry& entry) const;
-    void tellContinue();
-    void tellMissing();
-    void tellFeedback();
+    void updateContinue();
+    void updateMissing();
+    void updateFeedback();
     void goOn();
     [[nodiscard]] const ::lessons::CatalogEntry* lastTried() const;
     QWidget* makeDetails(const kit::Actions& actions);

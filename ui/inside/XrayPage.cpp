@@ -140,7 +140,7 @@ void XrayPage::retranslateUi()
 {
     m_before->setCaption(tr("Before"));
     m_now->setCaption(tr("Now"));
-    tellValues();
+    updateValues();
     if (!m_tooth) {
         setTitle(tr("X-ray"));
         return;
@@ -265,7 +265,7 @@ void XrayPage::addSliders(QHBoxLayout* row, QWidget* card)
         made->setObjectName(QString::fromLatin1(objectName));
         words->setBuddy(made);
         connect(made, &QSlider::valueChanged, this, [this] {
-            tellValues();
+            updateValues();
             develop();
         });
         block->addWidget(words, 0, 0);
@@ -336,7 +336,7 @@ XrayPage::Wish XrayPage::wish() const
     return now;
 }
 
-void XrayPage::tellValues()
+void XrayPage::updateValues()
 {
     const auto degrees = [](int value) { return text::number(value, 0) + QStringLiteral("°"); };
     m_angleText->setText(degrees(m_angle->value()));

@@ -69,7 +69,7 @@ private:
     void nameSides();
     void develop();
     void take(const Films& films, const core::terrain::ToothAnatomy* of);
-    void tellValues();
+    void updateValues();
     static Films filmsOf(const core::terrain::Tooth& tooth, const Wish& wish,
                          std::shared_ptr<const std::vector<core::imaging::Neighbour>> neighbours);
 

@@ -221,7 +221,7 @@ QWidget* AssignPage::makeOffers()
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setProperty("kind", "plain");
-    connect(m_offers, &QStandardItemModel::itemChanged, this, &AssignPage::tellChosen);
+    connect(m_offers, &QStandardItemModel::itemChanged, this, &AssignPage::updateChosen);
     column->addWidget(m_list, 1);
     m_noneFits = new QLabel(part);
     m_noneFits->setObjectName(QStringLiteral("noneFits"));
@@ -282,7 +282,7 @@ QWidget* AssignPage::makeGiven()
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         if (const auto rows = chosen(); !rows.isEmpty())
             m_terms->setTerms({rows.front().dueUtc, rows.front().attemptLimit}, static_cast<int>(rows.size()));
-        tellChosen();
+        updateChosen();
     });
     m_stack->addWidget(m_table);
     m_empty = new QLabel(m_stack);
@@ -473,7 +473,7 @@ void AssignPage::fillOffers()
     search();
     if (again.isValid())
         m_list->setCurrentIndex(again);
-    tellChosen();
+    updateChosen();
 }
 
 /// Shows the lessons whose titles contain every word, and the headings of their groups.
@@ -575,7 +575,7 @@ void AssignPage::fillGiven()
     if (m_given.isEmpty() && m_table->hasFocus())
         m_list->setFocus();
     m_stack->setCurrentIndex(m_given.isEmpty() ? 1 : 0);
-    tellChosen();
+    updateChosen();
 }
 
 std::vector<std::string> AssignPage::ticked() const
@@ -609,7 +609,7 @@ void AssignPage::take(const QList<AssignmentChange>& changes)
     m_hadFocus = m_assign->hasFocus() || m_change->hasFocus() || m_takeBack->hasFocus() || m_undo->hasFocus();
     if (m_hadFocus)
         (m_given.isEmpty() ? static_cast<QWidget*>(m_list) : m_table)->setFocus();
-    tellChosen();
+    updateChosen();
     emit changeRequested(changes);
 }
 
@@ -645,7 +645,7 @@ void AssignPage::confirm(const QList<AssignmentChange>& changes)
     m_said->setText(m_saying());
     // If the focus was on a button that is now disabled, the button beside the message gets it.
     m_undo->setVisible(!m_last.isEmpty());
-    tellChosen();  // a disabled button cannot take the focus
+    updateChosen();  // a disabled button cannot take the focus
     if (!m_last.isEmpty() && std::exchange(m_hadFocus, false))
         m_undo->setFocus();
     announce(*m_said);
@@ -659,16 +659,16 @@ void AssignPage::refuse(const QString& sentence)
     m_said->setText(QStringLiteral("⚠ ") + sentence);
     m_undo->setVisible(!m_last.isEmpty());
     announce(*m_said);
-    tellChosen();
+    updateChosen();
 }
 
-void AssignPage::tellChosen()
+void AssignPage::updateChosen()
 {
     const auto count = static_cast<int>(ticked().size());
     m_assign->setText(count == 0 ? tr("Assign") : tr("Assign %n lesson(s)", nullptr, count));
     m_assign->setAccessibleName(m_assign->text());
     m_assign->setEnabled(count > 0 && !m_isAsking && m_overview.id.value != 0);
-    tellWhere();
+    updateWhere();
     const bool hasChosen = !m_table->selectionModel()->selectedRows().isEmpty();
     m_change->setEnabled(hasChosen && !m_isAsking);
     m_takeBack->setEnabled(hasChosen && !m_isAsking);
@@ -680,7 +680,7 @@ void AssignPage::tellChosen()
 
 /// Says where the files of lessons must be. The database contains no lessons, so a student finds a lesson that is not
 /// shipped only on a computer that has its file.
-void AssignPage::tellWhere()
+void AssignPage::updateWhere()
 {
     QStringList titles;
     QStringList files;

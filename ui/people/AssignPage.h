@@ -88,8 +88,8 @@ private:
     void search();
     void keepCurrentInSight();
     void fillGiven();
-    void tellChosen();
-    void tellWhere();
+    void updateChosen();
+    void updateWhere();
     void take(const QList<AssignmentChange>& changes);
     [[nodiscard]] std::vector<std::string> ticked() const;
     [[nodiscard]] QList<database::ClassAssignment> chosen() const;

@@ -55,7 +55,7 @@ AssignTerms::AssignTerms(QWidget* parent)
     connect(m_isDue, &QCheckBox::toggled, m_day, &QWidget::setEnabled);
     const auto takeDue = [this] {
         m_isDueChanged = true;
-        tellNote();
+        updateNote();
     };
     connect(m_isDue, &QCheckBox::toggled, this, takeDue);
     connect(m_day, &QDateEdit::dateChanged, this, takeDue);
@@ -83,7 +83,7 @@ void AssignTerms::setTerms(const Terms& terms, int lessons)
     m_lessons = lessons;
     m_isDueChanged = false;
     m_isLimitChanged = false;
-    tellNote();
+    updateNote();
 }
 
 void AssignTerms::reset()
@@ -103,7 +103,7 @@ AssignTerms::Terms AssignTerms::changed(const Terms& before) const
 }
 
 /// Explains terms with consequences that the teacher may not expect.
-void AssignTerms::tellNote()
+void AssignTerms::updateNote()
 {
     QStringList notes;
     if (m_isDue->isChecked() && m_day->date() < QDate::currentDate())
@@ -130,7 +130,7 @@ void AssignTerms::retell()
     m_limitWord->setText(tr("Attempts"));
     m_limit->setAccessibleName(tr("Attempts at most"));
     m_limit->setSpecialValueText(tr("no limit"));
-    tellNote();
+    updateNote();
 }
 
 /// Names the months and days of the calendar in the current language.

@@ -40,7 +40,7 @@ protected:
 
 private:
     void retell();
-    void tellNote();
+    void updateNote();
     void sayCalendar();
 
     QCheckBox* m_isDue;

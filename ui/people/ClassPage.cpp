@@ -243,7 +243,7 @@ QWidget* ClassPage::makeEmpty()
 void ClassPage::setMayEnter(bool may)
 {
     m_mayEnter = may;
-    tellNeeds();
+    updateNeeds();
 }
 
 QWidget* ClassPage::makeCharts()
@@ -317,7 +317,7 @@ void ClassPage::refuse(std::function<QString()> why)
     if (isRead())
         return;
     m_whyNot = std::move(why);
-    tellEmpty();
+    updateEmpty();
     announce(*m_empty);
 }
 
@@ -330,7 +330,7 @@ void ClassPage::clear()
         button->setChecked(false);
     fillLessons();
     takeLesson();
-    tellNeeds();
+    updateNeeds();
     say({});
 }
 
@@ -365,7 +365,7 @@ void ClassPage::setOverview(const database::ClassOverview& overview, const QDate
         fitColumns();
     }
     fillLessons();
-    tellNeeds();
+    updateNeeds();
     say({});
     if (wasEmpty && isVisible())
         m_table->setFocus();
@@ -409,7 +409,7 @@ void ClassPage::goTo(const Place& place)
 void ClassPage::readAgain()
 {
     m_whyNot = nullptr;
-    tellEmpty();
+    updateEmpty();
     if (chosenClass().value == 0)
         emit listRequested();
     else
@@ -421,7 +421,7 @@ void ClassPage::setAssignments(const QList<database::ClassAssignment>& given)
     m_model->setAssignments(given);
     m_table->horizontalHeader()->setFixedHeight(kHeadPx + (m_model->hasDueDates() ? kDuePx : 0));
     m_filter->invalidate();
-    tellNeeds();
+    updateNeeds();
 }
 
 void ClassPage::setLessonTitles(const text::LessonTitles& titles)
@@ -510,7 +510,7 @@ void ClassPage::forget()
     m_lastLesson.clear();
 }
 
-void ClassPage::tellNeeds()
+void ClassPage::updateNeeds()
 {
     // Not the sum of the counts, because a student may have several needs.
     const int all = m_model->rowCount() - m_model->count(Need::Nothing);
@@ -543,7 +543,7 @@ void ClassPage::tellNeeds()
                                 //: Students who need their teacher; numbers of each kind follow
                                 : tr("%n need(s) you:", nullptr, all));
     m_stack->setCurrentIndex(hasStudents ? 0 : 1);
-    tellEmpty();
+    updateEmpty();
     m_class->setVisible(!m_classes.isEmpty());
     m_charts->setVisible(m_lesson->count() > 0);
     m_report->setVisible(!m_classes.isEmpty());
@@ -560,7 +560,7 @@ void ClassPage::search()
                                                           : tr("%Ln student(s)", nullptr, m_filter->rowCount()));
 }
 
-void ClassPage::tellEmpty()
+void ClassPage::updateEmpty()
 {
     m_people->setVisible(m_mayEnter && isRead());
     if (!isRead())
@@ -626,13 +626,13 @@ void ClassPage::fitColumns()
 void ClassPage::say(std::function<QString()> words)
 {
     m_saying = std::move(words);
-    tellSaying();
+    updateSaying();
     if (m_saying)
         announce(*m_said);
 }
 
 /// Shows the message. Its tooltip has the whole text, because a path may be longer than the room.
-void ClassPage::tellSaying()
+void ClassPage::updateSaying()
 {
     m_said->setText(m_saying ? m_saying() : QString());
     m_said->setToolTip(m_saying ? brokenIntoLines(m_said->text()) : QString());
@@ -673,7 +673,7 @@ void ClassPage::askForFile()
 void ClassPage::retell()
 {
     setTitle(tr("Class"));
-    tellSaying();
+    updateSaying();
     kit::nameInput(m_class, tr("Class"));
     m_search->setPlaceholderText(tr("Search: a student"));
     m_search->setAccessibleName(m_search->placeholderText());
@@ -698,7 +698,7 @@ void ClassPage::retell()
     fitColumns();
     fillClasses();
     fillLessons();
-    tellNeeds();
+    updateNeeds();
     drawCharts();
 }
 

@@ -121,9 +121,9 @@ private:
     void takeLesson();
     void takeCell(const QModelIndex& index);
     void retell();
-    void tellSaying();
-    void tellNeeds();
-    void tellEmpty();
+    void updateSaying();
+    void updateNeeds();
+    void updateEmpty();
     void search();
     void drawCharts();
     void fitColumns();

@@ -100,7 +100,7 @@ QWidget* HistoryPage::makeList()
     m_table->setColumnHidden(HistoryModel::Feedback, true);
     m_table->viewport()->installEventFilter(this);
     connect(m_table, &QTableView::activated, this, [this] { m_open->click(); });
-    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HistoryPage::tellChosen);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HistoryPage::updateChosen);
     column->addWidget(m_table, 1);
 
     auto* buttons = new QHBoxLayout;
@@ -233,11 +233,11 @@ void HistoryPage::setHistory(const QList<database::AttemptRecord>& newestFirst)
 void HistoryPage::setExamsWithoutScore(const QList<database::ExamStart>& newestFirst)
 {
     m_startsWithoutScore = newestFirst;
-    tellWithoutScore();
+    updateWithoutScore();
 }
 
 /// Lists the exams without a score in the lesson that is shown.
-void HistoryPage::tellWithoutScore()
+void HistoryPage::updateWithoutScore()
 {
     const auto shown = lesson();
     QStringList starts;
@@ -252,17 +252,17 @@ void HistoryPage::tellWithoutScore()
     m_withoutScore->setText(tr("Exams that have no score: %1").arg(words.join(QStringLiteral("; "))));
     m_withoutScore->setToolTip(starts.size() > kMostStarts ? starts.join(u'\n') : QString());
     m_withoutScore->setVisible(!starts.isEmpty());
-    tellWaiting();
+    updateWaiting();
 }
 
 void HistoryPage::setWaiting(int count)
 {
     m_waiting = count;
-    tellWaiting();
+    updateWaiting();
 }
 
 /// Shows the number of attempts not yet uploaded, and whether the page has any content.
-void HistoryPage::tellWaiting()
+void HistoryPage::updateWaiting()
 {
     m_waitingWords->setText(
         tr("%n attempt(s) wait on this computer, and stand here when the school has them.", nullptr, m_waiting));
@@ -275,7 +275,7 @@ void HistoryPage::setLessonTitles(const text::LessonTitles& titles)
     m_charted.titles = titles;
     m_model->setTitles(titles);
     fillLessons();
-    tellWithoutScore();
+    updateWithoutScore();
     drawCharts();
 }
 
@@ -351,8 +351,8 @@ void HistoryPage::takeLesson()
     m_count->setText(tr("%n attempt(s)", nullptr, static_cast<int>(m_charted.newestFirst.size())));
     if (m_filter->rowCount() > 0)
         m_table->setCurrentIndex(m_filter->index(0, 0));
-    tellChosen();
-    tellWithoutScore();
+    updateChosen();
+    updateWithoutScore();
     drawCharts();
     if (chosenLesson)
         emit lessonChosen(QString::fromStdString(*chosenLesson));
@@ -372,7 +372,7 @@ std::int64_t HistoryPage::chosen() const
     return rows.isEmpty() ? 0 : m_model->at(m_filter->mapToSource(rows.front()).row()).id;
 }
 
-void HistoryPage::tellChosen()
+void HistoryPage::updateChosen()
 {
     const QModelIndexList rows = m_table->selectionModel()->selectedRows();
     const auto* attempt = rows.isEmpty() ? nullptr : &m_model->at(m_filter->mapToSource(rows.front()).row());
@@ -432,7 +432,7 @@ void HistoryPage::retell()
     fitColumns();
     fillLessons();
     m_count->setText(tr("%n attempt(s)", nullptr, static_cast<int>(m_charted.newestFirst.size())));
-    tellChosen();
+    updateChosen();
     drawCharts();
 }
 

@@ -94,9 +94,9 @@ private:
     void fitColumns();
     void makeRoom();
     void drawCharts();
-    void tellChosen();
-    void tellWithoutScore();
-    void tellWaiting();
+    void updateChosen();
+    void updateWithoutScore();
+    void updateWaiting();
 
     QString m_person;
     QList<database::AttemptRecord> m_history;

@@ -75,7 +75,7 @@ LoginPage::LoginPage(QWidget* parent)
     text::bindTranslation(this, [this] {
         retranslateUi();
         say(m_saying);
-        tellFault(m_faultWords);
+        showFault(m_faultWords);
     });
     ask(LoginMode::Login);
 }
@@ -216,7 +216,7 @@ void LoginPage::ask(LoginMode door, bool isIn)
         m_name->clear();
     for (QLineEdit* input : {m_given, m_family, m_old, m_password, m_again})
         input->clear();
-    tellFault({});
+    showFault({});
     say({});
     setBusy(false);
     arrange();
@@ -363,7 +363,7 @@ void LoginPage::say(std::function<QString()> sentence)
     m_said->setVisible(!m_said->text().isEmpty());
 }
 
-void LoginPage::tellFault(std::function<QString()> sentence)
+void LoginPage::showFault(std::function<QString()> sentence)
 {
     m_faultWords = std::move(sentence);
     kit::showFault(m_fault, m_faultWords ? m_faultWords() : QString());
@@ -373,10 +373,10 @@ void LoginPage::setOpening(bool isOpening)
 {
     m_isOpening = isOpening;
     retranslateUi();
-    tellWaiting();
+    updateWaiting();
 }
 
-void LoginPage::tellWaiting()
+void LoginPage::updateWaiting()
 {
     // If the database cannot be opened, the reason and the automatic retry are shown instead.
     const bool isWaiting = m_isBusy || (m_isOpening && m_unreachable->isHidden());
@@ -394,7 +394,7 @@ void LoginPage::setUnreachable(const QString& sentence)
     m_unreachable->setVisible(!sentence.isEmpty());
     m_tryAgain->setVisible(!sentence.isEmpty());
     if (sentence.isEmpty())
-        tellFault({});  // hides the error of a database that could not be read
+        showFault({});  // hides the error of a database that could not be read
     setBusy(false);
 }
 
@@ -430,7 +430,7 @@ void LoginPage::setBusy(bool busy)
           static_cast<QWidget*>(m_again), static_cast<QWidget*>(m_go), static_cast<QWidget*>(m_other),
           static_cast<QWidget*>(m_tryAgain), static_cast<QWidget*>(m_restore)})
         input->setEnabled(!busy);
-    tellWaiting();
+    updateWaiting();
     if (!busy && window()->focusWidget() == this)
         firstInput()->setFocus();
 }
@@ -438,7 +438,7 @@ void LoginPage::setBusy(bool busy)
 void LoginPage::refuse(std::function<QString()> sentence)
 {
     setBusy(false);
-    tellFault(std::move(sentence));
+    showFault(std::move(sentence));
     // If the login mode has changed, the user has typed nothing in this one yet.
     const bool isEmpty = m_password->text().isEmpty() && m_name->isVisible() && m_name->text().isEmpty();
     QLineEdit* const again = m_old->isVisible() ? m_old : isEmpty ? m_name : m_password;
@@ -449,7 +449,7 @@ void LoginPage::refuse(std::function<QString()> sentence)
 void LoginPage::refuseNewPassword(std::function<QString()> sentence)
 {
     setBusy(false);
-    tellFault(std::move(sentence));
+    showFault(std::move(sentence));
     m_password->clear();
     m_again->clear();
     m_password->setFocus();
@@ -470,7 +470,7 @@ bool LoginPage::areNamesFit()
         }
     if (wrong == nullptr)
         return true;
-    tellFault(std::move(why));
+    showFault(std::move(why));
     wrong->setFocus();
     wrong->selectAll();
     return false;
@@ -480,7 +480,7 @@ void LoginPage::submit()
 {
     if (m_isBusy)
         return;
-    tellFault({});
+    showFault({});
     const QString password = m_password->text();
     if (m_again->isVisibleTo(m_card) && m_again->text() != password) {
         refuse([] { return tr("The passwords do not match. Type the second one again."); });

@@ -89,8 +89,8 @@ private:
     void retranslateUi();
     void nameQuestion();
     void submit();
-    void tellFault(std::function<QString()> sentence);
-    void tellWaiting();
+    void showFault(std::function<QString()> sentence);
+    void updateWaiting();
     /// Returns whether the names of a new school's admin are valid. Shows the error if they are not.
     [[nodiscard]] bool areNamesFit();
 

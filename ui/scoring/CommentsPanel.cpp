@@ -115,11 +115,11 @@ void CommentsPanel::makeComposer(QVBoxLayout& column)
     m_howToPin->setObjectName(QStringLiteral("howToPin"));
     inside->addWidget(m_howToPin);
     column.addWidget(m_composer);
-    connect(m_words, &QPlainTextEdit::textChanged, this, &CommentsPanel::tellRoom);
+    connect(m_words, &QPlainTextEdit::textChanged, this, &CommentsPanel::updateRoom);
     connect(m_atMoment, &QCheckBox::toggled, this, [this](bool isTicked) {
         if (!isTicked) {
             m_moment = m_seen;
-            tellPins();
+            updatePins();
         }
     });
     connect(m_add, &QPushButton::clicked, this, [this] {
@@ -172,12 +172,12 @@ void CommentsPanel::makeOverride(QVBoxLayout& column)
     buttons->addWidget(m_give);
     inside->addLayout(buttons);
     column.addWidget(m_override);
-    connect(m_reason, &QLineEdit::textChanged, this, &CommentsPanel::tellReady);
+    connect(m_reason, &QLineEdit::textChanged, this, &CommentsPanel::updateReady);
     connect(m_points, &QDoubleSpinBox::valueChanged, this, [this](double points) {
         m_arePointsTyped = points != m_offered;
-        tellReady();
+        updateReady();
     });
-    tellReady();
+    updateReady();
     const auto ask = [this](std::optional<int> tenths) {
         m_asked = m_override;
         m_fault->hide();
@@ -223,8 +223,8 @@ void CommentsPanel::take(const Draft& draft)
     m_arePointsTyped = false;
     m_points->setValue(hasScore(draft) ? draft.points : m_offered);
     m_arePointsTyped = draft.hasPoints;
-    tellReady();
-    tellRoom();
+    updateReady();
+    updateRoom();
     m_asked = draft.isScoreRefused ? m_override : m_composer;
     refuse(draft.fault);
     m_hasPlayed = false;
@@ -236,7 +236,7 @@ void CommentsPanel::setScore(int machineTenths, int passMarkTenths, bool passedB
     m_passMarkTenths = passMarkTenths;
     m_passedByMachine = passedByMachine;
     offerPoints(machineTenths);
-    tellScore();
+    updateScore();
 }
 
 /// Fills in points, unless the teacher has typed a number or a reason.
@@ -290,7 +290,7 @@ void CommentsPanel::setTalk(const database::AttemptTalk& talk)
     if (const int countsTenths = given().value_or(m_machineTenths); countsTenths != countedTenths)
         offerPoints(countsTenths);
     fill();
-    tellScore();
+    updateScore();
     if (form != nullptr)
         emit formUsed(form);  // the answer has moved it
 }
@@ -347,7 +347,7 @@ void CommentsPanel::setMay(bool comment, bool override)
 void CommentsPanel::setRecorded(bool isRecorded)
 {
     m_isRecorded = isRecorded;
-    tellPins();
+    updatePins();
     fill();
 }
 
@@ -360,7 +360,7 @@ void CommentsPanel::setMoment(std::optional<std::int64_t> ms)
     m_moment = ms;
     if (!ms)
         m_atMoment->setChecked(false);
-    tellPins();
+    updatePins();
 }
 
 void CommentsPanel::setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment)
@@ -370,7 +370,7 @@ void CommentsPanel::setPlace(const std::optional<std::array<double, 3>>& placeMm
         return;
     m_place = placeMm;
     m_atPlace->setChecked(placeMm && forComment);
-    tellPins();
+    updatePins();
 }
 
 void CommentsPanel::unpin()
@@ -459,8 +459,8 @@ void CommentsPanel::send(const Sent& sent)
     if (formInUse() == (sent.isScore ? m_override : m_composer))
         (sent.isScore ? static_cast<QWidget*>(m_reason) : m_words)->setFocus();
     m_sent[m_attempt] = sent;
-    tellReady();
-    tellRoom();
+    updateReady();
+    updateRoom();
 }
 
 void CommentsPanel::keepComment(qint64 comment, qint64 attempt, const QString& fault)
@@ -492,14 +492,14 @@ void CommentsPanel::answer(qint64 attempt, const QString& fault)
     }
     if (fault.isEmpty())
         clearSent(sent);
-    tellReady();
-    tellRoom();
+    updateReady();
+    updateRoom();
     m_asked = sent.isScore ? m_override : m_composer;
     refuse(fault);
 }
 
 /// Enables the button if the score is valid, a reason is given, and no score is being sent.
-void CommentsPanel::tellReady()
+void CommentsPanel::updateReady()
 {
     const bool isScore = m_points->value() >= 0.0 && m_points->value() <= kFullPoints;
     const bool isReady = !m_reason->text().trimmed().isEmpty() && m_sent.count(m_attempt) == 0;
@@ -515,7 +515,7 @@ std::optional<int> CommentsPanel::given() const
 }
 
 /// Shows the score that counts, and the computed score below it if the two differ.
-void CommentsPanel::tellScore()
+void CommentsPanel::updateScore()
 {
     const std::optional<int> given = this->given();
     const bool passed = given ? *given >= m_passMarkTenths : m_passedByMachine;
@@ -529,7 +529,7 @@ void CommentsPanel::tellScore()
 }
 
 /// Shows how many characters are left when there are few, or that the comment is too long.
-void CommentsPanel::tellRoom()
+void CommentsPanel::updateRoom()
 {
     const auto length = static_cast<int>(m_words->toPlainText().trimmed().size());
     const int room = database::kLongestComment - length;
@@ -540,7 +540,7 @@ void CommentsPanel::tellRoom()
     m_add->setEnabled(length > 0 && room >= 0 && m_sent.count(m_attempt) == 0);
 }
 
-void CommentsPanel::tellPins()
+void CommentsPanel::updatePins()
 {
     m_atMoment->setVisible(m_moment.has_value());
     m_atMoment->setText(m_moment ? tr("at %1 of the replay").arg(text::clock(*m_moment)) : QString());
@@ -689,10 +689,10 @@ void CommentsPanel::retell()
         button->setAccessibleName(button->text());
     m_said->setText(m_saying ? m_saying() : QString());
     setMay(m_mayComment, m_mayOverride);
-    tellScore();
-    tellPins();
-    tellRoom();
-    tellReady();
+    updateScore();
+    updatePins();
+    updateRoom();
+    updateReady();
 }
 
 void CommentsPanel::changeEvent(QEvent* event)

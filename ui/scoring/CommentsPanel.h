@@ -125,12 +125,12 @@ private:
     void addPins(QVBoxLayout& inside, const database::AttemptComment& comment);
     /// Returns the score that a teacher has given. Empty if the computed score counts.
     [[nodiscard]] std::optional<int> given() const;
-    void tellScore();
-    void tellPins();
-    void tellRoom();
+    void updateScore();
+    void updatePins();
+    void updateRoom();
     void unpin();
     void offerPoints(int tenths);
-    void tellReady();
+    void updateReady();
     void send(const Sent& sent);
     void writeAgain(const database::AttemptComment& comment);
     void say(std::function<QString()> sentence);

@@ -64,8 +64,8 @@ ScoreHistory::ScoreHistory(QWidget* parent) : QFrame(parent)
     chartRow->addWidget(m_chart, 1);
     chartRow->addWidget(m_saveChart, 0, Qt::AlignTop);
     row->addLayout(chartRow, 3);
-    // tellHistory() replaces the list while Qt passes a language change on to the card's children, so the list must not
-    // be a direct child.
+    // updateHistory() replaces the list while Qt passes a language change on to the card's children, so the list must
+    // not be a direct child.
     m_listHolder = new QWidget(this);
     auto* holder = new QVBoxLayout(m_listHolder);
     holder->setContentsMargins(0, 0, 0, 0);
@@ -76,8 +76,8 @@ ScoreHistory::ScoreHistory(QWidget* parent) : QFrame(parent)
     fold(m_class);
     column->addWidget(m_class);
     text::bindTranslation(this, [this] {
-        tellHistory();
-        tellClass();
+        updateHistory();
+        updateClass();
     });
 }
 
@@ -87,19 +87,19 @@ void ScoreHistory::setHistory(const QList<database::AttemptRecord>& history, con
     m_history = history;
     m_sheet = sheet;
     m_of = of;
-    tellHistory();
+    updateHistory();
 }
 
 void ScoreHistory::setClass(const std::optional<::lessons::ClassStanding>& standing)
 {
     m_standing = standing;
-    tellClass();
+    updateClass();
 }
 
 void ScoreHistory::setKeeping(Keeping keeping)
 {
     m_keeping = keeping;
-    tellKeeping();
+    updateKeeping();
 }
 
 /// Returns the chart for export: all attempts with their dates.
@@ -113,7 +113,7 @@ charts::Chart ScoreHistory::chart() const
     return chart;
 }
 
-void ScoreHistory::tellHistory()
+void ScoreHistory::updateHistory()
 {
     const auto isComparable = [&](const database::AttemptRecord& attempt) {
         return attempt.rubricHash == m_sheet.rubricHash;
@@ -154,11 +154,11 @@ void ScoreHistory::tellHistory()
                             row, 1);
         grid->addWidget(score, row, 2);
     }
-    tellKeeping();
+    updateKeeping();
     m_listHolder->layout()->addWidget(m_list);
 }
 
-void ScoreHistory::tellClass()
+void ScoreHistory::updateClass()
 {
     m_class->setVisible(m_standing.has_value());
     if (!m_standing)
@@ -181,7 +181,7 @@ void ScoreHistory::tellClass()
                              .arg(::lessons::kFewestPeople));
 }
 
-void ScoreHistory::tellKeeping()
+void ScoreHistory::updateKeeping()
 {
     const auto words = [this]() -> QString {
         switch (m_keeping) {

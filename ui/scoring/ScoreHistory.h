@@ -57,9 +57,9 @@ signals:
 
 private:
     [[nodiscard]] charts::Chart chart() const;
-    void tellHistory();
-    void tellClass();
-    void tellKeeping();
+    void updateHistory();
+    void updateClass();
+    void updateKeeping();
 
     QList<database::AttemptRecord> m_history;
     ::lessons::ScoreSheet m_sheet;

@@ -117,7 +117,7 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     body()->addLayout(m_buttons);
     text::bindTranslation(this, [this] {
         retranslateUi();
-        tellSaying();
+        updateSaying();
     });
 }
 
@@ -477,12 +477,12 @@ ScoreCard ScorePage::card() const
 void ScorePage::say(std::function<QString()> words)
 {
     m_saying = std::move(words);
-    tellSaying();
+    updateSaying();
     if (!m_said->text().isEmpty())
         announce(*m_said);
 }
 
-void ScorePage::tellSaying()
+void ScorePage::updateSaying()
 {
     m_said->setText(m_saying ? m_saying() : QString());
     m_said->setToolTip(m_said->text());
@@ -600,13 +600,13 @@ void ScorePage::retranslateUi()
         m_conduct->setConduct(*m_scored->measured.process, m_scored->infractions, m_scored->aids);
     arrange();
     fillCriteria();
-    tellNoise();
-    tellUnrecorded();
-    tellHistory();
+    updateNoise();
+    updateUnrecorded();
+    updateHistory();
 }
 
 /// Says that an old attempt has no recording. The current attempt can always be shown.
-void ScorePage::tellUnrecorded()
+void ScorePage::updateUnrecorded()
 {
     m_unrecorded->setVisible(m_talks && !m_scored);
     m_unrecorded->setText(tr("This attempt has no readable recording. It cannot be replayed, and the tooth is not "
@@ -616,10 +616,10 @@ void ScorePage::tellUnrecorded()
 void ScorePage::setNoise(const ::lessons::GridSensitivity& noise)
 {
     m_noiseNow = noise;
-    tellNoise();
+    updateNoise();
 }
 
-void ScorePage::tellNoise()
+void ScorePage::updateNoise()
 {
     m_noise->setVisible(m_noiseNow.has_value());
     if (!m_noiseNow)
@@ -654,17 +654,17 @@ void ScorePage::setMoments(const std::vector<std::vector<::lessons::Moment>>& mo
 {
     setMomentsProgress({});
     m_moments = moments;
-    tellMoments();
+    updateMoments();
 }
 
-void ScorePage::tellMoments()
+void ScorePage::updateMoments()
 {
     for (qsizetype k = 0; k < std::min(m_rows.size(), static_cast<qsizetype>(m_moments.size())); ++k)
         m_rows[k]->setMoments(m_moments[static_cast<std::size_t>(k)]);
-    tellAdvice();
+    updateAdvice();
 }
 
-void ScorePage::tellAdvice()
+void ScorePage::updateAdvice()
 {
     const auto all = ::lessons::adviceOn(m_sheet, m_scored ? m_scored->measured : core::grading::Measured{}, m_moments);
     const auto ofChosen = std::find_if(all.begin(), all.end(), [this](const ::lessons::Advice& advice) {
@@ -717,7 +717,7 @@ void ScorePage::fillCriteria()
     }
     m_criteriaSlot->addWidget(m_criteria);
     m_sum->setText(sumWords(m_sheet, m_given));
-    tellMoments();
+    updateMoments();
     showDetails(m_detailsButton->isChecked());
     if (chosen != nullptr)
         chosen->setChecked(true);
@@ -728,7 +728,7 @@ void ScorePage::fillCriteria()
 void ScorePage::showPlace(const CriterionRow& row)
 {
     m_chosen = row.criterion().id;
-    tellAdvice();
+    updateAdvice();
     const auto measure = core::grading::findMeasure(row.criterion().measure);
     const auto own = measure ? measure->nodeIn(m_scored->measured) : std::nullopt;
     const auto& practised = m_scored->measured.practised;
@@ -771,10 +771,10 @@ void ScorePage::setClass(const ::lessons::ClassStanding& standing)
 void ScorePage::setHistory(const QList<database::AttemptRecord>& history)
 {
     m_history = history;
-    tellHistory();
+    updateHistory();
 }
 
-void ScorePage::tellHistory()
+void ScorePage::updateHistory()
 {
     const QString work = m_work ? m_work() : QString();
     m_historyCard->setHistory(m_history, m_sheet,
@@ -788,7 +788,7 @@ void ScorePage::setTalkVisible(bool visible)
     m_talks = visible;
     m_replay->setVisible(visible && m_scored);
     m_talk->setRecorded(m_scored.has_value());
-    tellUnrecorded();
+    updateUnrecorded();
     if (!visible)
         setMayTalk(false);
     arrange();

@@ -123,16 +123,16 @@ private:
     /// Places the criteria beside the pictures, or above them if the page is narrow.
     void arrange();
     void retranslateUi();
-    void tellSaying();
+    void updateSaying();
     void fillCriteria();
     void showPlace(const CriterionRow& row);
     void showPin(const std::optional<std::array<double, 3>>& placeMm);
-    void tellAdvice();
+    void updateAdvice();
     void showDetails(bool shown);
-    void tellNoise();
-    void tellUnrecorded();
-    void tellMoments();
-    void tellHistory();
+    void updateNoise();
+    void updateUnrecorded();
+    void updateMoments();
+    void updateHistory();
 
     // The data shown, needed again when the language changes.
     bool m_isShown = false;
