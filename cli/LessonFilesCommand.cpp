@@ -134,7 +134,7 @@ void addNewLessonOptions(QCommandLineParser& parser)
     option("id", "Its id: small letters, digits, - and _.", "ID");
     option("from", "The lesson it is based on: an id, or a file in the same folder.", "BASE");
     option("tooth", "FDI number (36), a practice block (block:cross) or a scan (.obj, .stl, .ply).", "FDI|BLOCK|FILE");
-    option("unit", "Of the scan: mm, cm, m, or the millimetres of one unit; guessed if not given.", "U");
+    option("unit", "Of the scan: mm, cm, m, in, or the millimetres of one unit; guessed if not given.", "U");
     option("up", "Direction of the crown in the scan: +x -x +y -y +z -z; guessed if not given.", "A");
     option("fdi", "Of the scan.", "NN");
     option("seed", "Which tooth of that number.", "N");

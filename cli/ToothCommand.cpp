@@ -22,8 +22,7 @@ double volumeOf(const ToothReport& report, Material material)
 
 QString upOf(const ToothReport& report)
 {
-    const std::string_view name = core::mesh::nameOf(report.placement.up);
-    return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
+    return QString::fromStdString(report.placement.up.name);
 }
 
 /// Returns the side that faces the bur.

@@ -54,7 +54,7 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson, std::uint64_t 
         if (const auto unit = core::mesh::parseUnit(scan.unit))
             options.placement.unit = *unit;
     if (!scan.up.empty())
-        if (const auto up = core::mesh::parseAxis(scan.up))
+        if (const auto up = core::mesh::parseUp(scan.up))
             options.placement.up = *up;
     options.fdi = scan.fdi;
     options.lying = scan.lying;

@@ -58,8 +58,8 @@ struct Scan
 {
     std::string file;  ///< absolute path
     std::string hash;  ///< SHA-256 of its content, 64 hex digits
-    std::string unit;  ///< "mm", "cm", "m", "inch", "um"; empty: guessed
-    std::string up;    ///< "+z" and so on; empty: guessed
+    std::string unit;  ///< "mm", "cm", "m", "in", or the millimetres of one unit; empty: guessed
+    std::string up;    ///< "+z" and so on, or three numbers such as "1,0,1"; empty: guessed
     int fdi = 0;
     core::terrain::Lying lying;
     bool operator==(const Scan&) const = default;

@@ -30,6 +30,7 @@ namespace {
 
 constexpr qint64 kLargestScanBytes = qint64{1} << 30;
 constexpr int kMostSteps = 40;
+constexpr int kLongestDirection = 60;  ///< three numbers
 constexpr int kMostPointsToTouch = 40;
 constexpr double kFarthestPointMm = 30.0;
 constexpr qint64 kLargestSeed = qint64{1} << 53;
@@ -237,16 +238,19 @@ private:
         Scan scan;
         const QString name = QString::fromStdString(keys.neededText("scan"));
         scan.unit = keys.text("unit", 20);
-        scan.up = keys.text("up", 4);
+        scan.up = keys.text("up", kLongestDirection);
         scan.fdi = static_cast<int>(keys.whole("fdi", 11, 48, 0));
         scan.lying = lyingOf(keys, 0);
         if (!scan.unit.empty() && !core::mesh::parseUnit(scan.unit))
-            keys.fault("unit",
-                       {QT_TRANSLATE_NOOP("Fault", "\"%1\" is no unit; write mm, cm, m or the millimetres of one unit"),
-                        {core::noted(scan.unit)}});
-        if (!scan.up.empty() && !core::mesh::parseAxis(scan.up))
-            keys.fault("up", {QT_TRANSLATE_NOOP("Fault", "\"%1\" is no direction; write +x, -x, +y, -y, +z or -z"),
-                              {core::noted(scan.up)}});
+            keys.fault("unit", {QT_TRANSLATE_NOOP(
+                                    "Fault", "\"%1\" is no unit; write mm, cm, m, in or the millimetres of one unit"),
+                                {core::noted(scan.unit)}});
+        if (!scan.up.empty() && !core::mesh::parseUp(scan.up))
+            keys.fault(
+                "up",
+                {QT_TRANSLATE_NOOP(
+                     "Fault", "\"%1\" is no direction; write +x, -x, +y, -y, +z, -z, or three numbers such as 1,0,1"),
+                 {core::noted(scan.up)}});
         takeFile(keys, "scan", QStringLiteral("tooth"), name, scan.file, scan.hash);
         return scan;
     }

@@ -1323,12 +1323,12 @@
         <translation>Zahn %1 gibt es hier nicht; es gibt die linken: 21 bis 28 und 31 bis 38</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no unit; write mm, cm, m or the millimetres of one unit</source>
-        <translation>„%1“ ist keine Einheit; schreiben Sie mm, cm, m oder die Millimeter einer Einheit</translation>
+        <source>&quot;%1&quot; is no unit; write mm, cm, m, in or the millimetres of one unit</source>
+        <translation>„%1“ ist keine Einheit; schreiben Sie mm, cm, m, in oder die Millimeter einer Einheit</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no direction; write +x, -x, +y, -y, +z or -z</source>
-        <translation>„%1“ ist keine Richtung; schreiben Sie +x, -x, +y, -y, +z oder -z</translation>
+        <source>&quot;%1&quot; is no direction; write +x, -x, +y, -y, +z, -z, or three numbers such as 1,0,1</source>
+        <translation>„%1“ ist keine Richtung; schreiben Sie +x, -x, +y, -y, +z, -z oder drei Zahlen wie 1,0,1</translation>
     </message>
     <message>
         <source>an ideal is captured, or has a kind and sizes; leave one out (where the lesson is based on another, with &quot;kind&quot;: null, &quot;sizes&quot;: null)</source>
@@ -2619,12 +2619,20 @@
         <translation>Die Datei nennt keine Einheit. In Zentimetern gelesen ist der Scan %1 mm lang, daher wurden Zentimeter angenommen.</translation>
     </message>
     <message>
+        <source>The file names no unit. As inches it is %1 mm long, so inches were taken.</source>
+        <translation>Die Datei nennt keine Einheit. In Zoll gelesen ist der Scan %1 mm lang, daher wurde Zoll angenommen.</translation>
+    </message>
+    <message>
         <source>The file names no unit. As metres it is %1 mm long, so metres were taken.</source>
         <translation>Die Datei nennt keine Einheit. In Metern gelesen ist der Scan %1 mm lang, daher wurden Meter angenommen.</translation>
     </message>
     <message>
         <source>In no usual unit has the scan the size of a tooth, so it was made %1 mm long.</source>
         <translation>In keiner üblichen Einheit hat der Scan die Größe eines Zahns, daher wurde er auf %1 mm Länge gebracht.</translation>
+    </message>
+    <message>
+        <source>The tooth lay askew in the file and was turned upright. If it is not upright now, export it with the crown along +z.</source>
+        <translation>Der Zahn lag schräg in der Datei und wurde aufgerichtet. Steht er jetzt nicht aufrecht, exportieren Sie ihn mit der Krone in Richtung +z.</translation>
     </message>
     <message>
         <source>The shape does not show where the crown is. If the tooth lies on its side, export it with the crown along +z.</source>
@@ -8766,6 +8774,10 @@ ungesichert</translation>
     <message>
         <source>Centimetres</source>
         <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
     </message>
     <message>
         <source>Metres</source>

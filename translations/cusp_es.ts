@@ -1323,12 +1323,12 @@
         <translation>aquí no hay diente %1; se hacen los del lado izquierdo: 21 a 28 y 31 a 38</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no unit; write mm, cm, m or the millimetres of one unit</source>
-        <translation>«%1» no es una unidad; escriba mm, cm, m o los milímetros de una unidad</translation>
+        <source>&quot;%1&quot; is no unit; write mm, cm, m, in or the millimetres of one unit</source>
+        <translation>«%1» no es una unidad; escriba mm, cm, m, in o los milímetros de una unidad</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no direction; write +x, -x, +y, -y, +z or -z</source>
-        <translation>«%1» no es una dirección; escriba +x, -x, +y, -y, +z o -z</translation>
+        <source>&quot;%1&quot; is no direction; write +x, -x, +y, -y, +z, -z, or three numbers such as 1,0,1</source>
+        <translation>«%1» no es una dirección; escriba +x, -x, +y, -y, +z, -z, o tres números como 1,0,1</translation>
     </message>
     <message>
         <source>an ideal is captured, or has a kind and sizes; leave one out (where the lesson is based on another, with &quot;kind&quot;: null, &quot;sizes&quot;: null)</source>
@@ -2619,12 +2619,20 @@
         <translation>El archivo no indica unidad. En centímetros mide %1 mm de largo, así que se tomaron centímetros.</translation>
     </message>
     <message>
+        <source>The file names no unit. As inches it is %1 mm long, so inches were taken.</source>
+        <translation>El archivo no indica ninguna unidad. En pulgadas mide %1 mm de largo, por lo que se tomaron pulgadas.</translation>
+    </message>
+    <message>
         <source>The file names no unit. As metres it is %1 mm long, so metres were taken.</source>
         <translation>El archivo no indica unidad. En metros mide %1 mm de largo, así que se tomaron metros.</translation>
     </message>
     <message>
         <source>In no usual unit has the scan the size of a tooth, so it was made %1 mm long.</source>
         <translation>En ninguna unidad habitual tiene el escaneo el tamaño de un diente, así que se le dio una longitud de %1 mm.</translation>
+    </message>
+    <message>
+        <source>The tooth lay askew in the file and was turned upright. If it is not upright now, export it with the crown along +z.</source>
+        <translation>El diente estaba inclinado en el archivo y se ha enderezado. Si ahora no está derecho, expórtelo con la corona hacia +z.</translation>
     </message>
     <message>
         <source>The shape does not show where the crown is. If the tooth lies on its side, export it with the crown along +z.</source>
@@ -8766,6 +8774,10 @@ sin guardar</translation>
     <message>
         <source>Centimetres</source>
         <translation>Centímetros</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Pulgadas</translation>
     </message>
     <message>
         <source>Metres</source>

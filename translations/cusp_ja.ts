@@ -1321,12 +1321,12 @@
         <translation>歯%1はありません。作れるのは左側の21～28と31～38です</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no unit; write mm, cm, m or the millimetres of one unit</source>
-        <translation>「%1」は単位ではありません。mm、cm、m、または1単位が何ミリメートルかを書いてください</translation>
+        <source>&quot;%1&quot; is no unit; write mm, cm, m, in or the millimetres of one unit</source>
+        <translation>「%1」は単位ではありません。mm、cm、m、in、または1単位が何ミリメートルかを書いてください</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no direction; write +x, -x, +y, -y, +z or -z</source>
-        <translation>「%1」は方向ではありません。+x、-x、+y、-y、+z、-z のどれかを書いてください</translation>
+        <source>&quot;%1&quot; is no direction; write +x, -x, +y, -y, +z, -z, or three numbers such as 1,0,1</source>
+        <translation>「%1」は方向ではありません。+x、-x、+y、-y、+z、-z のどれか、または 1,0,1 のような三つの数を書いてください</translation>
     </message>
     <message>
         <source>an ideal is captured, or has a kind and sizes; leave one out (where the lesson is based on another, with &quot;kind&quot;: null, &quot;sizes&quot;: null)</source>
@@ -2615,12 +2615,20 @@
         <translation>ファイルに単位がありません。センチメートルなら長さ%1 mmなので、センチメートルとして読みました。</translation>
     </message>
     <message>
+        <source>The file names no unit. As inches it is %1 mm long, so inches were taken.</source>
+        <translation>このファイルには単位がありません。インチとして読むと長さが %1 mm になるため、インチとしました。</translation>
+    </message>
+    <message>
         <source>The file names no unit. As metres it is %1 mm long, so metres were taken.</source>
         <translation>ファイルに単位がありません。メートルなら長さ%1 mmなので、メートルとして読みました。</translation>
     </message>
     <message>
         <source>In no usual unit has the scan the size of a tooth, so it was made %1 mm long.</source>
         <translation>どの単位でも歯の大きさにならないため、長さ%1 mmにしました。</translation>
+    </message>
+    <message>
+        <source>The tooth lay askew in the file and was turned upright. If it is not upright now, export it with the crown along +z.</source>
+        <translation>ファイル内で歯が傾いていたため、まっすぐに直しました。正しい向きでない場合は、歯冠を +z に向けて書き出してください。</translation>
     </message>
     <message>
         <source>The shape does not show where the crown is. If the tooth lies on its side, export it with the crown along +z.</source>
@@ -8705,6 +8713,10 @@ unsaved</source>
     <message>
         <source>Centimetres</source>
         <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>インチ</translation>
     </message>
     <message>
         <source>Metres</source>

@@ -21,6 +21,7 @@
 #include "core/teeth/Block.h"
 #include "ui/kit/Actions.h"
 #include "ui/render/WholeSurface.h"
+#include "ui/text/ScanNotes.h"
 #include "ui/text/ValidationTexts.h"
 #include "ui/tooth/ToothView.h"
 #include "ui/tooth/Viewpoint.h"

@@ -72,7 +72,7 @@ core::Status readPlacement(const QCommandLineParser& parser, core::mesh::Placeme
         placement.unit = *unit;
     }
     if (parser.isSet(QStringLiteral("up"))) {
-        auto up = core::mesh::parseAxis(parser.value(QStringLiteral("up")).toStdString());
+        auto up = core::mesh::parseUp(parser.value(QStringLiteral("up")).toStdString());
         if (!up)
             return tl::unexpected(std::move(up).error());
         placement.up = *up;
@@ -220,7 +220,7 @@ void addToothOptions(QCommandLineParser& parser)
         parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(value), QLatin1String(standard)});
     };
     add("grid", "Nodes a side of the height maps, 64 to 1024 (150).", "N");
-    add("unit", "Unit of the file: mm, cm, m, or millimetres in one unit; guessed when absent.", "U");
+    add("unit", "Unit of the file: mm, cm, m, in, or millimetres in one unit; guessed when absent.", "U");
     add("up", "Direction of the crown in the file: +x -x +y -y +z -z; guessed when absent.", "A");
     add("fdi", "FDI number of the tooth in the file.", "NN");
     add("frame", "\"file\" keeps the file's own coordinates, taken as mm with +z up.", "FRAME", "tooth");

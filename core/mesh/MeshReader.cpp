@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/MeshReader.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <system_error>
+
+#include <glm/common.hpp>
 
 #include "core/mesh/FormatReaders.h"
 #include "core/mesh/TextScanner.h"
 
 namespace core::mesh {
 namespace {
+
+constexpr double kFarInSizes = 64.0;
 
 struct CloseFile
 {
@@ -43,6 +49,45 @@ Result<std::string> readBytes(const std::filesystem::path& path, const std::stri
     return bytes;
 }
 
+/// Returns the end of a sentence if the first bytes show that the file is of another kind than its name says; otherwise
+/// an empty text.
+std::string otherKind(std::string_view bytes, MeshFormat format)
+{
+    if (bytes.starts_with("\x1F\x8B"))
+        return "is compressed with gzip; unpack it first";
+    if (bytes.starts_with("PK\x03\x04"))
+        return "is a ZIP archive; unpack it first";
+    using namespace std::string_view_literals;
+    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF") || bytes.starts_with("s\0o\0l\0i\0d\0"sv))
+        return "is text in UTF-16; save it as plain text (ASCII or UTF-8)";
+    const bool isPly = bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
+    if (isPly && format != MeshFormat::Ply)
+        return "is a PLY file by its content; rename it so that it ends in .ply";
+    std::string_view start = withoutMark(bytes).substr(0, kBytesThatTell);
+    if (format != MeshFormat::Stl && looksLikeAsciiStl(start))
+        return "is an STL file by its content; rename it so that it ends in .stl";
+    return {};
+}
+
+/// Returns the point to which a mesh has to be moved before its coordinates are rounded to float; zero if it lies near
+/// enough. 64 times its own size away, a tooth of 12 mm is still exact to 0.1 um.
+glm::dvec3 neededOrigin(const TriangleMesh& mesh)
+{
+    glm::vec3 low(std::numeric_limits<float>::max());
+    glm::vec3 high = -low;
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle) {
+            low = glm::min(low, mesh.vertices[corner]);
+            high = glm::max(high, mesh.vertices[corner]);
+        }
+    const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
+    const glm::dvec3 farthest = glm::max(glm::abs(glm::dvec3(low)), glm::abs(glm::dvec3(high)));
+    const auto largest = [](const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); };
+    if (largest(farthest) <= kFarInSizes * largest(size))
+        return glm::dvec3(0.0);
+    return (glm::dvec3(low) + glm::dvec3(high)) * 0.5;
+}
+
 }  // namespace
 
 tl::unexpected<Error> tooManyTriangles(std::string_view name)
@@ -66,11 +111,19 @@ std::string thinFaces(std::size_t count)
 
 Result<MeshFile> readMesh(std::string_view bytes, MeshFormat format, std::string_view name)
 {
-    Result<MeshFile> file = format == MeshFormat::Obj   ? readObj(bytes, name)
-                            : format == MeshFormat::Stl ? readStl(bytes, name)
-                                                        : readPly(bytes, name);
-    if (file)
-        file->format = format;
+    if (const std::string kind = otherKind(bytes, format); !kind.empty())
+        return unexpected(ErrorCode::WrongKind, std::string(name) + ' ' + kind);
+    const auto read = format == MeshFormat::Obj ? readObj : format == MeshFormat::Stl ? readStl : readPly;
+    Result<MeshFile> file = read(bytes, name, glm::dvec3(0.0));
+    if (!file)
+        return file;
+    if (const glm::dvec3 origin = neededOrigin(file->mesh); origin != glm::dvec3(0.0)) {
+        file->mesh = {};  // frees its memory first
+        file = read(bytes, name, origin);
+        if (!file)
+            return file;
+    }
+    file->format = format;
     return file;
 }
 

@@ -26,6 +26,9 @@ enum class MeshFormat { Obj, Stl, Ply };
 struct MeshFile
 {
     TriangleMesh mesh;
+    /// The point of the file at which the mesh has its origin. Zero, unless the coordinates of the file are so large
+    /// that they would be rounded: 10 mm at 1e6 mm from the origin are 80 steps of a float.
+    glm::dvec3 originInFile{0.0};
     MeshFormat format = MeshFormat::Obj;
     std::vector<std::string> warnings;  ///< what was ignored, one sentence each
 };

@@ -12,7 +12,10 @@ namespace {
 class ObjParser
 {
 public:
-    explicit ObjParser(std::string_view name) : m_name(name) {}
+    ObjParser(std::string_view name, const glm::dvec3& originInFile) : m_name(name)
+    {
+        m_file.originInFile = originInFile;
+    }
 
     Result<MeshFile> parse(std::string_view text)
     {
@@ -20,11 +23,13 @@ public:
         std::string joined;
         for (std::string_view line; lines.next(line);) {
             m_line = lines.number();
-            if (line.ends_with('\\')) {
+            if (!isRead(line))
+                continue;
+            if (continues(line)) {
                 joined.clear();
                 do {
                     joined.append(line.substr(0, line.size() - 1)).push_back(' ');
-                } while (lines.next(line) && line.ends_with('\\'));
+                } while (lines.next(line) && continues(line));
                 if (!line.ends_with('\\'))
                     joined.append(line);
                 line = joined;
@@ -36,16 +41,21 @@ public:
     }
 
 private:
-    Status takeLine(std::string_view line)
+    /// Returns whether this is a line of a vertex or a face. All others are ignored, also where they end in a
+    /// backslash: a comment or the name of a group may.
+    static bool isRead(std::string_view line)
     {
-        while (!line.empty() && isBlank(line.front()))
-            line.remove_prefix(1);
-        if (line.size() < 2 || !isBlank(line[1]) || (line[0] != 'v' && line[0] != 'f'))
-            return {};
-        const bool vertex = line[0] == 'v';
-        line.remove_prefix(1);
-        return vertex ? takeVertex(line) : takeFace(line);
+        const std::string_view keyword = takeWord(line);
+        return keyword == "v" || keyword == "f";
     }
+
+    /// Returns whether the next line belongs to this one. A backslash at the end of a comment is part of the comment.
+    static bool continues(std::string_view line)
+    {
+        return line.ends_with('\\') && line.find('#') == std::string_view::npos;
+    }
+
+    Status takeLine(std::string_view line) { return takeWord(line) == "v" ? takeVertex(line) : takeFace(line); }
 
     Status takeVertex(std::string_view line)
     {
@@ -56,8 +66,8 @@ private:
                 return failure(ErrorCode::BadStructure, "a vertex with fewer than three numbers");
             const auto number = finiteNumber(word);
             if (!number)
-                return failure(ErrorCode::BadNumber, "the coordinate " + quoted(word) + " is not a finite number");
-            position[k] = *number;
+                return failure(ErrorCode::BadNumber, whyNoCoordinate(word));
+            position[k] = static_cast<float>(*number - m_file.originInFile[k]);
         }
         if (m_file.mesh.vertices.size() == kMaxVertices)
             return tooManyTriangles(m_name);
@@ -152,9 +162,9 @@ private:
 
 }  // namespace
 
-Result<MeshFile> readObj(std::string_view text, std::string_view name)
+Result<MeshFile> readObj(std::string_view text, std::string_view name, const glm::dvec3& originInFile)
 {
-    return ObjParser(name).parse(text);
+    return ObjParser(name, originInFile).parse(text);
 }
 
 }  // namespace core::mesh

@@ -70,10 +70,13 @@ class Body
 public:
     Body(std::string_view bytes, Encoding encoding) : m_rest(bytes), m_encoding(encoding) {}
 
-    /// Returns the next value; empty at the end of the file, or if the text is no number.
+    /// Returns the next value: NaN for a word that is no number, empty at the end of the file. Columns that are not
+    /// read may hold anything.
     std::optional<double> take(Scalar type) { return m_encoding == Encoding::Ascii ? takeText() : takeBinary(type); }
 
     [[nodiscard]] std::size_t bytesLeft() const { return m_rest.size(); }
+    /// Returns the word that was taken last; empty in a binary file.
+    [[nodiscard]] std::string_view word() const { return m_word; }
 
     /// Returns the smallest number of bytes of one such value.
     [[nodiscard]] std::size_t leastBytes(Scalar type) const { return m_encoding == Encoding::Ascii ? 1 : sizeOf(type); }
@@ -89,12 +92,15 @@ private:
             ++end;
         std::string_view word = m_rest.substr(begin, end - begin);
         m_rest.remove_prefix(end);
+        m_word = word;
+        if (word.empty())
+            return std::nullopt;
         if (word.starts_with('+'))
             word.remove_prefix(1);
         double value = 0.0;
         const auto [stop, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (word.empty() || stop != word.data() + word.size())
-            return std::nullopt;
+            return std::numeric_limits<double>::quiet_NaN();
         if (failure == std::errc::result_out_of_range)
             return word.find_first_of("eE") != std::string_view::npos && word.find('-', 1) != std::string_view::npos
                        ? 0.0
@@ -130,13 +136,17 @@ private:
     }
 
     std::string_view m_rest;
+    std::string_view m_word;
     Encoding m_encoding;
 };
 
 class PlyParser
 {
 public:
-    explicit PlyParser(std::string_view name) : m_name(name) {}
+    PlyParser(std::string_view name, const glm::dvec3& originInFile) : m_name(name)
+    {
+        m_file.originInFile = originInFile;
+    }
 
     Result<MeshFile> parse(std::string_view bytes)
     {
@@ -157,9 +167,13 @@ private:
     std::optional<std::size_t> readHeader(std::string_view bytes)
     {
         bool encodingGiven = false;
+        // All lines end as the first one does. After "end_header" and a CR, an LF may be the first byte of the body.
+        const std::size_t firstEnd = bytes.find_first_of("\r\n");
+        const bool endsWithReturn =
+            firstEnd != std::string_view::npos && bytes[firstEnd] == '\r' && bytes.substr(firstEnd + 1, 1) != "\n";
         std::size_t at = 0;
         for (int number = 1; at < bytes.size(); ++number) {
-            std::size_t end = bytes.find('\n', at);
+            const std::size_t end = bytes.find(endsWithReturn ? '\r' : '\n', at);
             if (end == std::string_view::npos)
                 break;
             std::string_view line = bytes.substr(at, end - at);
@@ -234,7 +248,7 @@ private:
         if (rowBytes == 0)
             return {};
         const bool vertices = element.name == "vertex";
-        const bool faces = element.name == "face";
+        const bool faces = element.name == "face" || element.name == "tristrips";
         if (element.count > body.bytesLeft() / rowBytes)
             return unexpected(ErrorCode::FileTruncated,
                               m_name + " is cut short: its header states " + std::to_string(element.count) + " of " +
@@ -249,7 +263,7 @@ private:
             glm::vec3 position{};
             int coordinates = 0;
             for (const Property& property : element.properties) {
-                const bool corners = faces && (property.name == "vertex_indices" || property.name == "vertex_index");
+                const bool corners = faces && isCorners(property);
                 Status status;
                 if (property.countType)
                     status = takeList(element, property, row, corners, body);
@@ -278,44 +292,82 @@ private:
             return {};
         // Converting a value outside the range of float would be undefined behaviour.
         if (!(std::abs(*value) <= static_cast<double>(std::numeric_limits<float>::max())))
-            return unexpected(ErrorCode::BadNumber, m_name + ", vertex " + std::to_string(row + 1) +
-                                                        ": a coordinate is not a finite number; export the mesh again");
-        position[property.name[0] - 'x'] = static_cast<float>(*value);
+            return unexpected(ErrorCode::BadNumber, m_name + ", vertex " + std::to_string(row + 1) + ": " +
+                                                        (body.word().empty() ? "a coordinate is not a finite number"
+                                                                             : whyNoCoordinate(body.word())) +
+                                                        "; export the mesh again");
+        const int axis = property.name[0] - 'x';
+        position[axis] = static_cast<float>(*value - m_file.originInFile[axis]);
         ++coordinates;
         return {};
     }
 
+    static bool isCorners(const Property& property)
+    {
+        return property.countType && (property.name == "vertex_indices" || property.name == "vertex_index");
+    }
+
     Status takeList(const Element& element, const Property& property, std::uint64_t row, bool corners, Body& body)
     {
+        const std::string where = element.name + " " + std::to_string(row + 1);
         const auto length = body.take(*property.countType);
-        if (!length || !(*length >= 0.0) || *length > static_cast<double>(body.bytesLeft()))
-            return cutShort(element.name + " " + std::to_string(row + 1));
+        if (!length || *length > static_cast<double>(body.bytesLeft()))
+            return cutShort(where);
+        if (!(*length >= 0.0))
+            return unexpected(ErrorCode::BadStructure,
+                              m_name + ", " + where + ": the length of a list is no number; export the mesh again");
         const auto count = static_cast<std::uint64_t>(*length);
-        std::uint32_t first = 0;
-        std::uint32_t previous = 0;
+        const bool isStrip = corners && element.name == "tristrips";
+        Fan fan;
         for (std::uint64_t k = 0; k < count; ++k) {
             const auto value = body.take(property.type);
             if (!value)
-                return cutShort(element.name + " " + std::to_string(row + 1));
+                return cutShort(where);
             if (!corners)
                 continue;
-            if (!(*value >= 0.0 && *value < static_cast<double>(kMaxVertices)))
-                return unexpected(ErrorCode::BadStructure, m_name + ", face " + std::to_string(row + 1) +
-                                                               " names a vertex that cannot be; export the mesh again");
-            const auto index = static_cast<std::uint32_t>(*value);
-            if (k == 0)
-                first = index;
-            if (k >= 2) {
-                if (m_file.mesh.triangles.size() == kMaxTriangles)
-                    return tooManyTriangles(m_name);
-                m_file.mesh.triangles.push_back({first, previous, index});
+            if (isStrip && *value < 0.0) {
+                fan = {};
+                continue;
             }
-            previous = index;
+            if (!(*value >= 0.0 && *value < static_cast<double>(kMaxVertices)))
+                return unexpected(ErrorCode::BadStructure,
+                                  m_name + ", " + where + " names a vertex that cannot be; export the mesh again");
+            if (Status status = addCorner(fan, static_cast<std::uint32_t>(*value), isStrip); !status)
+                return status;
         }
-        m_thinFaces += corners && count < 3 ? 1 : 0;
-        if (corners && count > 3)
+        if (!corners || isStrip)
+            return {};
+        m_thinFaces += count < 3 ? 1 : 0;
+        if (count > 3)
             m_polygons.push_back({static_cast<std::uint32_t>(m_file.mesh.triangles.size() - (count - 2)),
                                   static_cast<std::uint32_t>(count)});
+        return {};
+    }
+
+    /// The corners of a face or strip so far, as far as the next triangle needs them.
+    struct Fan
+    {
+        std::uint32_t first = 0;  ///< the first corner of a face; in a strip, the one before the last
+        std::uint32_t last = 0;
+        std::uint64_t count = 0;
+    };
+
+    /// Adds a corner and, from the third on, a triangle. Every second triangle of a strip is turned round.
+    Status addCorner(Fan& fan, std::uint32_t index, bool isStrip)
+    {
+        if (fan.count == 0)
+            fan.first = index;
+        const bool isThin = isStrip && (fan.first == fan.last || fan.last == index || index == fan.first);
+        if (fan.count >= 2 && !isThin) {
+            if (m_file.mesh.triangles.size() == kMaxTriangles)
+                return tooManyTriangles(m_name);
+            const bool isTurned = isStrip && fan.count % 2 == 1;
+            m_file.mesh.triangles.push_back({isTurned ? fan.last : fan.first, isTurned ? fan.first : fan.last, index});
+        }
+        if (isStrip && fan.count > 0)
+            fan.first = fan.count == 1 ? fan.first : fan.last;
+        fan.last = index;
+        ++fan.count;
         return {};
     }
 
@@ -324,6 +376,11 @@ private:
         const TriangleMesh& mesh = m_file.mesh;
         if (mesh.triangles.empty() && m_thinFaces > 0)
             return onlyThinFaces(m_name);
+        if (const std::string list = otherList(); mesh.triangles.empty() && !list.empty())
+            return unexpected(ErrorCode::NoTriangles,
+                              m_name +
+                                  " has no list \"vertex_indices\" in an element \"face\" or \"tristrips\", only " +
+                                  list + ", which Cusp does not read; export the mesh again, or as OBJ or STL");
         if (mesh.triangles.empty())
             return unexpected(ErrorCode::NoTriangles, m_name + " holds " + std::to_string(mesh.vertices.size()) +
                                                           (mesh.vertices.size() == 1 ? " point" : " points") +
@@ -340,6 +397,18 @@ private:
         if (m_thinFaces > 0)
             m_file.warnings.push_back(thinFaces(m_thinFaces));
         return std::move(m_file);
+    }
+
+    /// Returns the first list that is there but is not read: "corners" in "polygon"; empty if there is none.
+    [[nodiscard]] std::string otherList() const
+    {
+        for (const Element& element : m_elements)
+            for (const Property& property : element.properties) {
+                const bool isSurface = element.name == "face" || element.name == "tristrips";
+                if (property.countType && element.count > 0 && !(isSurface && isCorners(property)))
+                    return mesh::quoted(property.name) + " in " + mesh::quoted(element.name);
+            }
+        return {};
     }
 
     tl::unexpected<Error> cutShort(const std::string& where) const
@@ -360,9 +429,9 @@ private:
 
 }  // namespace
 
-Result<MeshFile> readPly(std::string_view bytes, std::string_view name)
+Result<MeshFile> readPly(std::string_view bytes, std::string_view name, const glm::dvec3& originInFile)
 {
-    return PlyParser(name).parse(bytes);
+    return PlyParser(name, originInFile).parse(bytes);
 }
 
 }  // namespace core::mesh

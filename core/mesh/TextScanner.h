@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,8 +45,8 @@ namespace core::mesh {
     return true;
 }
 
-/// Parses a whole word as a finite float; empty for "nan", "inf", "1e99" or "1.5x".
-[[nodiscard]] inline std::optional<float> finiteNumber(std::string_view word)
+/// Parses a whole word as a number that a float can hold; empty for "nan", "inf", "1e99" or "1.5x".
+[[nodiscard]] inline std::optional<double> finiteNumber(std::string_view word)
 {
     if (word.starts_with('+'))
         word.remove_prefix(1);
@@ -62,34 +64,42 @@ namespace core::mesh {
     } else if (failure != std::errc()) {
         return std::nullopt;
     }
-    const auto number = static_cast<float>(value);
-    return std::isfinite(number) ? std::optional(number) : std::nullopt;
+    return std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max()) ? std::optional(value)
+                                                                                     : std::nullopt;
 }
 
-/// Iterates over the lines of a text. Lines end with LF or CR LF, or with CR in a text without LF.
+/// Iterates over the lines of a text. Lines end with LF, CR LF or CR, also mixed in one file.
 class Lines
 {
 public:
-    explicit Lines(std::string_view text) : m_rest(text), m_end(text.find('\n') == std::string_view::npos ? '\r' : '\n')
-    {}
+    explicit Lines(std::string_view text) : m_text(text) {}
 
     [[nodiscard]] bool next(std::string_view& line)
     {
-        if (m_rest.empty())
+        if (m_at >= m_text.size())
             return false;
-        const std::size_t end = m_rest.find(m_end);
-        line = m_rest.substr(0, end);
-        m_rest.remove_prefix(end == std::string_view::npos ? m_rest.size() : end + 1);
-        if (line.ends_with('\r'))
-            line.remove_suffix(1);
+        // Each byte is searched for LF once, so that a file with CR alone does not take quadratic time.
+        if (m_lineFeed < m_at || !m_hasSearched) {
+            m_lineFeed = std::min(m_text.find('\n', m_at), m_text.size());
+            m_hasSearched = true;
+        }
+        const std::string_view upToFeed = m_text.substr(m_at, m_lineFeed - m_at);
+        const std::size_t end = std::min(upToFeed.find('\r'), upToFeed.size());
+        line = upToFeed.substr(0, end);
+        m_at += end + 1;
+        if (end < upToFeed.size() && m_at == m_lineFeed)  // CR LF
+            ++m_at;
         ++m_number;
         return true;
     }
     [[nodiscard]] std::size_t number() const { return m_number; }  ///< of the line last given, from 1
+    [[nodiscard]] std::size_t at() const { return m_at; }          ///< index of the first byte of the next line
 
 private:
-    std::string_view m_rest;
-    char m_end;
+    std::string_view m_text;
+    std::size_t m_at = 0;
+    std::size_t m_lineFeed = 0;  ///< index of the next LF, or the size of the text
+    bool m_hasSearched = false;
     std::size_t m_number = 0;
 };
 
@@ -106,6 +116,20 @@ private:
     for (const char c : word.substr(0, 24))
         text += c >= ' ' && c < '\x7f' ? c : '?';
     return text + (word.size() > 24 ? "...\"" : "\"");
+}
+
+/// Returns why a word cannot be a coordinate: "the coordinate "1,5" has a decimal comma, ...".
+[[nodiscard]] inline std::string whyNoCoordinate(std::string_view word)
+{
+    std::string text = "the coordinate " + quoted(word);
+    std::string withPoint(word.substr(0, 64));
+    const std::size_t comma = withPoint.find(',');
+    if (comma != std::string::npos) {
+        withPoint[comma] = '.';
+        if (finiteNumber(withPoint))
+            return text + " has a decimal comma; let the program that wrote it use decimal points";
+    }
+    return text + " is not a finite number";
 }
 
 }  // namespace core::mesh

@@ -148,6 +148,7 @@ private:
         if (!file)
             return tl::unexpected(std::move(file).error());
         m_mesh = std::move(file->mesh);
+        m_originInFile = file->originInFile;
         m_report.warnings = std::move(file->warnings);
         endStage("read");
         return {};
@@ -232,14 +233,14 @@ private:
 
     Status place()
     {
-        auto placement = mesh::findPlacement(m_mesh, m_facts, m_options.placement);
+        auto placement = mesh::findPlacement(m_mesh, m_facts, m_options.placement, m_originInFile);
         if (!placement)
             return failure(placement.error().code, placement.error().detail);
         m_report.placement = std::move(*placement);
         m_mmPerUnit = m_report.placement.unit.mmPerUnit;
         m_report.warnings.insert(m_report.warnings.end(), m_report.placement.warnings.begin(),
                                  m_report.placement.warnings.end());
-        mesh::moveToToothFrame(m_mesh, m_report.placement);
+        mesh::moveToToothFrame(m_mesh, m_report.placement, m_originInFile);
         return measureBounds();
     }
 
@@ -522,6 +523,7 @@ private:
     const BlockDesign* m_block = nullptr;  ///< null: the tooth is not a block
     Clock::time_point m_lap;
     mesh::TriangleMesh m_mesh;
+    glm::dvec3 m_originInFile{0.0};  ///< see mesh::MeshFile
     mesh::MeshFacts m_facts;
     double m_mmPerUnit = 1.0;  ///< of m_facts
     std::optional<double> m_closeAtMm;

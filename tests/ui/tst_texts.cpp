@@ -27,6 +27,7 @@
 #include "ui/replay/TimeLine.h"
 #include "ui/text/LessonTexts.h"
 #include "ui/text/PeopleTexts.h"
+#include "ui/text/ScanNotes.h"
 #include "ui/text/Search.h"
 #include "ui/text/Texts.h"
 #include "ui/text/ValidationTexts.h"

@@ -42,10 +42,6 @@ enum class FailedOperation {
 /// Returns why a person could not log in or be added.
 [[nodiscard]] QString loginFault(const core::Error& error);
 
-/// Returns what the importer assumed, left out or did not understand, one sentence each. Empty if there is nothing to
-/// report.
-[[nodiscard]] QStringList scanNotes(const core::teeth::ToothReport& report);
-
 /// Returns a local time today, or a local day and time.
 [[nodiscard]] QString shortWhen(const QDateTime& at);
 

@@ -121,8 +121,8 @@ void Notices::showScanNotes(const std::function<QStringList()>& notes,
         };
         message.actionText = tr("Another unit");
         message.choices = {choice(tr("Millimetres"), QStringLiteral("mm")),
-                           choice(tr("Centimetres"), QStringLiteral("cm")), choice(tr("Metres"), QStringLiteral("m")),
-                           MessageBar::Choice{tr("Keep this unit"), {}}};
+                           choice(tr("Centimetres"), QStringLiteral("cm")), choice(tr("Inches"), QStringLiteral("in")),
+                           choice(tr("Metres"), QStringLiteral("m")), MessageBar::Choice{tr("Keep this unit"), {}}};
         return message;
     });
 }

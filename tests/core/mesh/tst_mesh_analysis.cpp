@@ -220,8 +220,11 @@ private slots:
 
     void unitIsGuessedFromTheSize()
     {
-        for (const auto& [scale, unit, warns] :
-             {std::tuple(1.0F, "mm", false), {0.1F, "cm", true}, {0.001F, "m", true}, {37.0F, "0.0302", true}}) {
+        for (const auto& [scale, unit, warns] : {std::tuple(1.0F, "mm", false),
+                                                 {0.1F, "cm", true},
+                                                 {0.001F, "m", true},
+                                                 {1.0F / 25.4F, "in", true},
+                                                 {37.0F, "0.0302", true}}) {
             TriangleMesh mesh = support::scaled(plainTooth(), scale);
             const MeshFacts facts = factsOf(mesh);
             const auto placement = findPlacement(mesh, facts, {});
@@ -249,7 +252,7 @@ private slots:
                 mesh = support::insideOut(std::move(mesh));
             const auto placement = findPlacement(mesh, factsOf(mesh), {});
             QVERIFY(placement);
-            QCOMPARE(std::string(nameOf(placement->up)), std::string(crown));
+            QCOMPARE(placement->up.name, std::string(crown));
         }
     }
 
@@ -257,26 +260,74 @@ private slots:
     {
         TriangleMesh cap = support::sphereCap(6.0F, 5.0F, 60, 20);
         auto placement = findPlacement(cap, factsOf(cap), {});
-        QVERIFY(placement && placement->up == Axis::PlusZ);
+        QVERIFY(placement && placement->up.name == "+z");
         QVERIFY(placement->upReason.find("flat") != std::string::npos);
 
         TriangleMesh bowl = support::withoutBase(cap);
         for (glm::vec3& v : bowl.vertices)
             v = {v.x, v.z, -v.y};
         placement = findPlacement(bowl, factsOf(bowl), {});
-        QVERIFY(placement && placement->up == Axis::PlusY);
+        QVERIFY(placement && placement->up.name == "+y");
         QVERIFY(placement->upReason.find("open") != std::string::npos);
 
         TriangleMesh box = support::box(10.0F, 10.0F, 10.0F);
         placement = findPlacement(box, factsOf(box), {});
-        QVERIFY(placement && placement->up == Axis::PlusZ);
+        QVERIFY(placement && placement->up.name == "+z");
         QVERIFY(!placement->warnings.empty());  // the orientation is uncertain
         QVERIFY(placement->upDoubtful && !placement->unitDoubtful);
     }
 
+    /// A tooth whose long axis lies between the axes of the file is turned upright, with a warning that gives the
+    /// direction; so is an open scan.
+    void toothThatLiesAskewIsTurnedUpright()
+    {
+        for (const glm::dvec3& crown : {glm::dvec3(1, 0, 1), {0, -1, 1}, {-1, 1, 1}, {1, 1, -0.2}}) {
+            const glm::dvec3 up = glm::normalize(crown);
+            const glm::dvec3 side = glm::normalize(glm::cross(up, glm::dvec3(0.3, 1.0, 0.2)));
+            const glm::dmat3 turn(side, glm::cross(up, side), up);
+            for (const bool isOpen : {false, true}) {
+                TriangleMesh mesh =
+                    isOpen ? support::withoutBase(support::sphereCap(6.0F, 5.0F, 60, 20)) : plainTooth();
+                for (glm::vec3& v : mesh.vertices)
+                    v = glm::vec3(turn * glm::dvec3(v));
+                const auto placement = findPlacement(mesh, factsOf(mesh), {});
+                QVERIFY2(placement && placement->isTurned && !placement->upDoubtful, placement->upReason.c_str());
+                QVERIFY(glm::dot(placement->up.inFile, up) > 0.98);
+                QCOMPARE(placement->warnings.size(), std::size_t(1));
+                QVERIFY(placement->warnings.front().find(placement->up.name) != std::string::npos);
+                // The direction in the warning, given with --up, gives the same place.
+                PlacementOptions given;
+                given.up = parseUp(placement->up.name).value();
+                const auto same = findPlacement(mesh, factsOf(mesh), given);
+                QVERIFY(same && same->warnings.empty());
+                QVERIFY(glm::distance(same->originMm, placement->originMm) < 0.05);
+            }
+        }
+    }
+
+    void frameOfAnyDirectionIsRightHanded()
+    {
+        for (const char* direction : {"1,0,1", "-1,0.2,0.1", "0.5,-0.6,0.4", "1,1,1", "0,-1,-1"}) {
+            TriangleMesh mesh = support::box(8.0F, 9.0F, 7.0F);
+            const UpDirection up = *parseUp(direction);
+            const auto placement = findPlacement(mesh, factsOf(mesh), {LengthUnit{}, up, false});
+            QVERIFY(placement);
+            const auto turned = [&](const glm::dvec3& way) {
+                return toothFromFile(*placement, way) - toothFromFile(*placement, {0, 0, 0});
+            };
+            const glm::dvec3 x = turned({1, 0, 0});
+            const glm::dvec3 y = turned({0, 1, 0});
+            const glm::dvec3 z = turned({0, 0, 1});
+            QVERIFY(std::abs(glm::dot(glm::cross(x, y), z) - 1.0) < 1e-12);
+            QVERIFY(std::abs(glm::length(x) - 1.0) < 1e-12 && std::abs(glm::dot(x, y)) < 1e-12);
+            QVERIFY(glm::distance(turned(up.inFile), glm::dvec3(0.0, 0.0, 1.0)) < 1e-12);
+        }
+    }
+
     void frameIsRightHandedAndPutsTheCrownAtTheOrigin()
     {
-        for (const Axis up : {Axis::PlusX, Axis::MinusX, Axis::PlusY, Axis::MinusY, Axis::PlusZ, Axis::MinusZ}) {
+        for (const char* name : {"+x", "-x", "+y", "-y", "+z", "-z"}) {
+            const UpDirection up = *parseUp(name);
             TriangleMesh mesh = support::moved(support::box(8.0F, 9.0F, 7.0F), {100.0F, -40.0F, 3.0F});
             MeshFacts facts = factsOf(mesh);
             const auto placement = findPlacement(mesh, facts, {LengthUnit{}, up, false});
@@ -289,8 +340,8 @@ private slots:
             const glm::dvec3 y = directionFromFile({0, 1, 0});
             const glm::dvec3 z = directionFromFile({0, 0, 1});
             QCOMPARE(glm::dot(glm::cross(x, y), z), 1.0);
-            const int axis = static_cast<int>(up) / 2;
-            const double sign = static_cast<int>(up) % 2 == 0 ? 1.0 : -1.0;
+            const int axis = name[1] - 'x';
+            const double sign = name[0] == '+' ? 1.0 : -1.0;
             const glm::dvec3 crown = axis == 0 ? x : axis == 1 ? y : z;
             QVERIFY(crown * sign == glm::dvec3(0.0, 0.0, 1.0));
             QVERIFY(axis == 0 ? y == glm::dvec3(0.0, 1.0, 0.0) : x == glm::dvec3(1.0, 0.0, 0.0));
@@ -339,7 +390,7 @@ private slots:
                 options.keepFrame = keepFrame;
                 if (!keepFrame) {
                     options.unit = LengthUnit{"given", mmPerUnit};
-                    options.up = Axis::PlusZ;
+                    options.up = parseUp("+z").value();
                 }
                 TriangleMesh mesh = support::box(sizeUnits, 0.9F * sizeUnits, 0.8F * sizeUnits);
                 const auto placement = findPlacement(mesh, factsOf(mesh), options);
@@ -355,12 +406,14 @@ private slots:
     {
         QCOMPARE(parseUnit("cm")->mmPerUnit, 10.0);
         QCOMPARE(parseUnit("10.5")->mmPerUnit, 10.5);
-        for (const char* bad : {"", "0", "-1", "nan", "inf", "mm ", "1,5", "inch"})
+        for (const char* bad : {"", "0", "-1", "nan", "inf", "mm ", "1,5", "inches"})
             QVERIFY(!parseUnit(bad));
-        QVERIFY(*parseAxis("-y") == Axis::MinusY);
-        QVERIFY(*parseAxis("x") == Axis::PlusX);
-        for (const char* bad : {"", "+", "w", "+Y", "--z"})
-            QVERIFY(!parseAxis(bad));
+        QCOMPARE(parseUnit("in")->mmPerUnit, 25.4);
+        QVERIFY(parseUp("-y")->inFile == glm::dvec3(0.0, -1.0, 0.0));
+        QVERIFY(parseUp("x")->inFile == glm::dvec3(1.0, 0.0, 0.0));
+        QVERIFY(glm::distance(parseUp("1,0,-1")->inFile, glm::dvec3(1.0, 0.0, -1.0) / std::sqrt(2.0)) < 1e-12);
+        for (const char* bad : {"", "+", "w", "+Y", "--z", "1,0", "1,0,0,0", "0,0,0", "1,nan,0", "1,,0", "1,0,0,"})
+            QVERIFY2(!parseUp(bad), bad);
     }
 };
 

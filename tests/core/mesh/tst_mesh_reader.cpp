@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -7,6 +8,7 @@
 #include <QTest>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include "core/base/Rng.h"
@@ -150,8 +152,12 @@ private slots:
                                                      << 1;
         QTest::newRow("continued lines") << square + "f 1 2 \\\n3 \\\n4\n" << 2;
         QTest::newRow("continued at the end of the file") << square + "f 1 2 3\\" << 1;
+        QTest::newRow("a comment that ends in a backslash") << square + "# C:\\scans\\\nf 1 2 3\nf 1 3 4\n" << 2;
+        QTest::newRow("a group that ends in a backslash") << square + "g upper\\\nf 1 2 3\nf 1 3 4\n" << 2;
+        QTest::newRow("a comment behind a face that ends in a backslash") << square + "f 1 2 3 # a\\\nf 1 3 4\n" << 2;
         QTest::newRow("CR LF") << QByteArray(square + "f 1 2 3\n").replace("\n", "\r\n") << 1;
         QTest::newRow("CR alone") << QByteArray(square + "f 1 2 3\n").replace("\n", "\r") << 1;
+        QTest::newRow("CR and one LF") << QByteArray(square + "f 1 2 3\nf 1 3 4\n").replace("\n", "\r") + "\n" << 2;
         QTest::newRow("tabs and blanks") << QByteArray("\tv  0\t0 0\n v 1 0 0\nv 1 1 0  \nf\t1  2\t3\n") << 1;
         QTest::newRow("w and colours") << QByteArray("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0 1 0 0 1\nf 1 2 3\n") << 1;
         QTest::newRow("exponents, signs") << QByteArray("v +0 0 1e-400\nv 1.0E0 -0.0 0\nv 1. .5 0\nf 1 2 3\n") << 1;
@@ -185,6 +191,99 @@ private slots:
         QVERIFY(support::succeeds(file));
         QCOMPARE(file->mesh.triangles.size(), std::size_t(4));
         QVERIFY(file->mesh.vertices[1] == glm::vec3(1, 0, 0));
+    }
+
+    /// The header's first line shows how lines end: the byte after the last CR may look like an LF.
+    void plyWithReturnsAlone()
+    {
+        const TriangleMesh mesh = support::sphereCap(3.3F, 2.1F, 17, 5);
+        std::string text = support::asAsciiPly(mesh);
+        std::replace(text.begin(), text.end(), '\n', '\r');
+        std::string binary = support::asBinaryPly(mesh, false);
+        const std::size_t headerEnd = binary.find("end_header\n") + 11;
+        std::replace(binary.begin(), binary.begin() + static_cast<std::ptrdiff_t>(headerEnd), '\n', '\r');
+        binary[headerEnd] = '\n';  // the lowest byte of the first coordinate
+        for (const std::string& bytes : {text, binary}) {
+            const auto file = readMesh(bytes, MeshFormat::Ply, "cr.ply");
+            QVERIFY(support::succeeds(file));
+            QCOMPARE(file->mesh.triangles.size(), mesh.triangles.size());
+        }
+    }
+
+    /// Every second triangle of a strip is turned round, -1 begins another strip, and thin triangles only turn.
+    void plyWithStrips()
+    {
+        const std::string text = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+                                 "property float z\nproperty float quality\nelement tristrips 1\n"
+                                 "property list int int vertex_indices\nend_header\n"
+                                 "0 0 0 1.#QNAN\n1 0 0 nan\n0 1 0 0\n1 1 0 0\n2 0 0 -1.#IND\n"
+                                 "11 0 1 2 3 -1 1 4 4 3 -1 0 1\n";
+        const auto file = readMesh(text, MeshFormat::Ply, "strips.ply");
+        QVERIFY(support::succeeds(file));
+        const std::vector<std::array<std::uint32_t, 3>> expected{{0, 1, 2}, {2, 1, 3}};
+        QVERIFY(file->mesh.triangles == expected);
+    }
+
+    void stlSpellings_data()
+    {
+        support::columns<QByteArray>("text");
+        const QByteArray usual = QByteArray::fromStdString(support::asAsciiStl(support::box(1, 1, 1)));
+        QTest::newRow("usual") << usual;
+        QTest::newRow("end solid, end facet")
+            << QByteArray(usual).replace("endsolid", "end solid").replace("endfacet", "end facet");
+        QTest::newRow("a blank line and a comment first") << "\n# made by hand\n" + usual;
+        QTest::newRow("CR alone") << QByteArray(usual).replace("\n", "\r");
+        QTest::newRow("CR and one LF") << QByteArray(usual).replace("\n", "\r") + "\n";
+        QTest::newRow("a facet on one line") << QByteArray(usual).replace("\n", " ").replace("endfacet", "endfacet\n");
+        QTest::newRow("all on one line") << QByteArray(usual).replace("\n", " ");
+        QTest::newRow("two solids") << usual.chopped(0) + "solid empty\nendsolid empty\n";
+        QTest::newRow("upper case") << usual.toUpper();
+        QTest::newRow("NUL in the name") << "solid a" + QByteArray(3, '\0') + '\n' + usual.mid(usual.indexOf('\n') + 1);
+    }
+
+    void stlSpellings()
+    {
+        QFETCH(QByteArray, text);
+        const auto file = readMesh(text.toStdString(), MeshFormat::Stl, "test.stl");
+        QVERIFY(support::succeeds(file));
+        QVERIFY(corners(file->mesh) == corners(support::box(1, 1, 1)));
+        QVERIFY(file->warnings.empty());
+    }
+
+    /// Coordinates far from the origin are moved before they are rounded: exact to 1 um up to 1e7 mm.
+    void farFromTheOriginNothingIsRounded()
+    {
+        const TriangleMesh mesh = support::sphereCap(6.0F, 5.0F, 40, 12);
+        for (const double away : {0.0, 300.0, 1.0e4, 1.0e6, 1.0e7}) {
+            std::string obj;
+            std::string ply = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(mesh.vertices.size()) +
+                              "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+                              std::to_string(mesh.triangles.size()) +
+                              "\nproperty list uchar int vertex_indices\nend_header\n";
+            for (const glm::vec3& v : mesh.vertices) {
+                const std::string line = QStringLiteral("%1 %2 %3\n")
+                                             .arg(static_cast<double>(v.x) + away, 0, 'f', 9)
+                                             .arg(static_cast<double>(v.y) - away, 0, 'f', 9)
+                                             .arg(static_cast<double>(v.z) + away, 0, 'f', 9)
+                                             .toStdString();
+                obj += "v " + line;
+                ply += line;
+            }
+            for (const auto& t : mesh.triangles) {
+                obj += "f " + std::to_string(t[0] + 1) + ' ' + std::to_string(t[1] + 1) + ' ' +
+                       std::to_string(t[2] + 1) + '\n';
+                ply += "3 " + std::to_string(t[0]) + ' ' + std::to_string(t[1]) + ' ' + std::to_string(t[2]) + '\n';
+            }
+            for (const auto& [format, bytes] : {std::pair(MeshFormat::Obj, obj), {MeshFormat::Ply, ply}}) {
+                const auto file = readMesh(bytes, format, "far");
+                QVERIFY(support::succeeds(file));
+                for (std::size_t k = 0; k < mesh.vertices.size(); ++k) {
+                    const glm::dvec3 read = file->originInFile + glm::dvec3(file->mesh.vertices[k]);
+                    const glm::dvec3 meant = glm::dvec3(mesh.vertices[k]) + glm::dvec3(away, -away, away);
+                    QVERIFY(glm::distance(read, meant) < (away > 1000.0 ? 1e-6 : 1e-4));
+                }
+            }
+        }
     }
 
     void polygonsAreCoveredOnce_data()
@@ -297,13 +396,18 @@ private slots:
         const auto thin = readMesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n", MeshFormat::Obj, "test.obj");
         QVERIFY(thin);
         QCOMPARE(thin->warnings.size(), std::size_t(1));
-        // There are more whole records than the header states: either may be wrong.
+        // The size wins over the count where whole records fit it.
         for (const auto& [bytes, triangles, says] :
              {std::tuple("solid" + box.substr(5), 12U, ""),
               {box + "trailing\x01", 12U, "9 bytes after the last triangle passed over"},
-              {binaryStlHeader(3) + box.substr(84, 200), 3U,
-               "the header states 3 triangles, but 4 are there; the rest was passed over, so the mesh may not be "
-               "whole"}}) {
+              {binaryStlHeader(3) + box.substr(84, 200), 4U,
+               "the header states 3 triangles, but 4 are there; all of them were read"},
+              {binaryStlHeader(0) + box.substr(84), 12U,
+               "the header states 0 triangles, but 12 are there; all of them were read"},
+              {binaryStlHeader(0xFFFFFFFFU) + box.substr(84), 12U,
+               "the header states 4294967295 triangles, but 12 are there; all of them were read"},
+              {std::string(84, ' ') + box.substr(84), 12U,
+               "the header states 538976288 triangles, but 12 are there; all of them were read"}}) {
             const auto file = readMesh(bytes, MeshFormat::Stl, "t.stl");
             QVERIFY(file);
             QCOMPARE(file->mesh.triangles.size(), std::size_t{triangles});
@@ -341,8 +445,9 @@ private slots:
         add("stl: binary, no header", std::string(40, '\0'), ErrorCode::FileTruncated, "40 bytes");
         add("stl: binary, cut short", binaryStlHeader(3) + record + record.substr(0, 20), ErrorCode::FileTruncated,
             "states 3 triangles, of which only 1");
-        add("stl: count of 4 billion", binaryStlHeader(0xFFFFFFFFU) + record, ErrorCode::FileTruncated,
+        add("stl: count of 4 billion", binaryStlHeader(0xFFFFFFFFU) + record.substr(1), ErrorCode::FileTruncated,
             "states 4294967295 triangles");
+        add("stl: binary, cut at a record", binaryStlHeader(3) + record, ErrorCode::FileTruncated, "only 1 can be");
         add("stl: no triangles", binaryStlHeader(0), ErrorCode::NoTriangles, "0 triangles");
         add("stl: NaN", binaryStlHeader(2) + record + stlRecord(std::nanf("")), ErrorCode::BadNumber, "triangle 2");
         add("stl: infinity", binaryStlHeader(1) + stlRecord(infinite), ErrorCode::BadNumber, "triangle 1");
@@ -358,6 +463,17 @@ private slots:
             ErrorCode::BadStructure, "line 6");
         add("stl: ascii, nan", "solid\nfacet\nvertex 0 nan 0\n", ErrorCode::BadNumber, "line 3");
         add("stl: only the word", "solid as a rock\n", ErrorCode::WrongKind, "no whole facet");
+        const std::string solid = support::asAsciiStl(support::box(1, 1, 1));
+        add("stl: ascii, the second solid cut short", solid + solid.substr(0, solid.size() / 2),
+            ErrorCode::FileTruncated, "without \"endsolid\"");
+        add("stl: decimal commas", "solid a\nfacet normal 0 0 1\nvertex 0,5 0 0\n", ErrorCode::BadNumber,
+            "decimal comma");
+        add("stl: UTF-16", "\xFF\xFEs", ErrorCode::WrongKind, "UTF-16");
+        add("stl: gzip", "\x1F\x8B\x08", ErrorCode::WrongKind, "gzip");
+        add("stl: ZIP", "PK\x03\x04", ErrorCode::WrongKind, "ZIP");
+        add("stl: a PLY", "ply\nformat ascii 1.0\n", ErrorCode::WrongKind, "ends in .ply");
+        add("obj: an STL", solid, ErrorCode::WrongKind, "ends in .stl");
+        add("obj: decimal commas", "v 0,5 0 0\n", ErrorCode::BadNumber, "decimal comma");
 
         add("obj: edges only", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 2 3\n", ErrorCode::NoTriangles,
             "fewer than three corners");
@@ -387,6 +503,12 @@ private slots:
         add("ply: index too high", ply + points + "3 0 1 3\n", ErrorCode::BadStructure, "vertex 3");
         add("ply: negative index", ply + points + "3 0 1 -1\n", ErrorCode::BadStructure, "cannot be");
         add("ply: list of 4 billion", ply + points + "4000000000 0 1 2\n", ErrorCode::FileTruncated, "face 1");
+        add("ply: decimal commas", ply + "0 0 0\n1,5 0 0\n0 1 0\n3 0 1 2\n", ErrorCode::BadNumber, "decimal comma");
+        add("ply: a length that is a word", ply + points + "three 0 1 2\n", ErrorCode::BadStructure, "no number");
+        add("ply: a list of another name",
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+            "element polygon 1\nproperty list uchar int corners\nend_header\n1 2 3\n3 0 0 0\n",
+            ErrorCode::NoTriangles, "\"corners\" in \"polygon\"");
         add("ply: vertices of 4 billion",
             "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nend_header\nxxxx",
             ErrorCode::FileTruncated, "states 4000000000 of \"vertex\", more than the 4 bytes left");

@@ -369,7 +369,7 @@ private slots:
         QVERIFY(mesh::writeObj(path, *mesh, "a tooth"));
         teeth::BuildOptions options;
         options.placement.unit = mesh::LengthUnit{};
-        options.placement.up = mesh::Axis::PlusZ;
+        options.placement.up = mesh::parseUp("+z").value();
         options.fdi = 33;
         options.lying = *teeth::findLying("-y", 90.0, 0);
         options.site = LesionSite::Cervical;

@@ -148,7 +148,7 @@ private slots:
             options.placement.unit = core::mesh::LengthUnit{"10.5", 10.5};
             const auto tooth = buildTooth({std::filesystem::path(path)}, options);
             QVERIFY(tooth);
-            QCOMPARE(std::string(core::mesh::nameOf(tooth->report.placement.up)), std::string(up));
+            QCOMPARE(tooth->report.placement.up.name, std::string(up));
             // The other implementation chooses grid and axes itself, so only volumes are compared. It counts full
             // cells, hence the coarse tolerance.
             const auto other = support::scanMaps(fdi, 400);
