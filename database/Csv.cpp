@@ -32,6 +32,12 @@ std::size_t signsIn(std::string_view text)
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned>(c) & kMoreMask) != kMore; }));
 }
 
+/// Spreadsheets write blanks beside quotes, which do not belong to the field.
+bool isBlank(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
 /// In bytes.
 constexpr std::size_t kLongestSign = 4;
 
@@ -111,10 +117,10 @@ tl::expected<std::vector<CsvRow>, CsvFault> readCsv(std::string_view bytes)
     const auto endRow = [&] {
         endField();
         // Spreadsheets write empty rows after the last one as separators only.
-        const auto isBlank = [](const std::string& text) {
+        const auto isEmpty = [](const std::string& text) {
             return text.find_first_not_of(" \t\r") == std::string::npos;
         };
-        if (!std::all_of(row.fields.begin(), row.fields.end(), isBlank) && !(isNamed && line == 1))
+        if (!std::all_of(row.fields.begin(), row.fields.end(), isEmpty) && !(isNamed && line == 1))
             rows.push_back(std::move(row));
         row = {line + 1, {}};
     };
@@ -138,10 +144,13 @@ tl::expected<std::vector<CsvRow>, CsvFault> readCsv(std::string_view bytes)
             endRow();
         } else if (c == '\r' && (at + 1 == bytes.size() || bytes[at + 1] == '\n')) {
             // the end of a line, as Windows writes it
+        } else if (in == In::AfterQuoted && isBlank(c)) {
+            // between a closing quote and the separator
         } else if (in == In::AfterQuoted) {
             return tl::unexpected(CsvFault{CsvFault::Kind::AfterQuote, line, column});
-        } else if (c == '"' && field.empty()) {
+        } else if (c == '"' && std::all_of(field.begin(), field.end(), isBlank)) {
             in = In::Quoted;
+            field.clear();
             quoteLine = line;
             quoteColumn = column;
         } else {

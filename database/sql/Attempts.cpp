@@ -578,7 +578,7 @@ core::Status withdrawComment(const DatabaseContext& school, const Login& session
         if (kept.isEmpty())
             return core::unexpected(ErrorCode::UnknownName, "there is no such comment");
         if (kept.at(0).toLongLong() != session.person().value)
-            return core::unexpected(ErrorCode::NotAllowed, "a comment is taken back by who wrote it; ask him");
+            return core::unexpected(ErrorCode::NotAllowed, "only the author of a comment can withdraw it");
         if (!kept.at(1).isNull())
             return core::unexpected(ErrorCode::ChangedSince, "the comment has been taken back already");
         if (auto done = execute(school.db, "UPDATE comments SET withdrawn_utc = ? WHERE id = ?", doing,

@@ -212,13 +212,13 @@ QString amongThem(const AuthorizedUser& who)
 {
     return QStringLiteral(
                " AND p.role = 'student' AND p.disabled = 0 AND a.person_id IN (SELECT e.person_id FROM enrolments e "
-               "WHERE e.class_id IN (SELECT his.class_id FROM enrolments his JOIN enrolments theirs ON "
-               "theirs.class_id = his.class_id JOIN people one ON one.id = theirs.person_id WHERE his.person_id = ? "
-               "AND one.role = 'student' AND one.disabled = 0%1 GROUP BY his.class_id HAVING COUNT(*) >= %2)) AND "
+               "WHERE e.class_id IN (SELECT mine.class_id FROM enrolments mine JOIN enrolments theirs ON "
+               "theirs.class_id = mine.class_id JOIN people one ON one.id = theirs.person_id WHERE mine.person_id = ? "
+               "AND one.role = 'student' AND one.disabled = 0%1 GROUP BY mine.class_id HAVING COUNT(*) >= %2)) AND "
                "%3 = COALESCE((SELECT %4 FROM attempts own WHERE own.person_id = ? AND own.lesson_id = ? ORDER BY "
                "own.finished_utc DESC, own.id DESC LIMIT 1), %3)")
         .arg(who.reach == Reach::Classes
-                 ? QStringLiteral(" AND his.class_id IN (SELECT class_id FROM enrolments WHERE person_id = ?)")
+                 ? QStringLiteral(" AND mine.class_id IN (SELECT class_id FROM enrolments WHERE person_id = ?)")
                  : QString())
         .arg(lessons::kFewestPeople)
         .arg(comparedDevice(QStringLiteral("a.device")), comparedDevice(QStringLiteral("own.device")));

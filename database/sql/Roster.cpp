@@ -161,7 +161,11 @@ public:
         Line line;
         line.number = row.line;
         line.isShort = row.fields.size() < widest();
-        if (row.fields.size() > widest())
+        // Spreadsheets write empty columns behind the last one.
+        const bool hasMore =
+            std::any_of(row.fields.begin() + static_cast<std::ptrdiff_t>(std::min(widest(), row.fields.size())),
+                        row.fields.end(), [](const std::string& field) { return !trimmed(field).empty(); });
+        if (hasMore)
             fault(row, "", "has more fields than the first line names", Kind::Fields);
         line.who = {at(row, "username"), at(row, "given_name"), at(row, "family_name"), Role::Student};
         if (const auto name = normalUsername(line.who.username); !name)

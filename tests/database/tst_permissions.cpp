@@ -325,8 +325,8 @@ private slots:
         // A colleague may comment on the work, but a teacher may not comment on their own.
         VERIFY_REFUSED(addComment(rig.school(), rig.instructor, own, {"neat", {}, {}}), ErrorCode::NotAllowed);
         VERIFY_DONE(addComment(rig.school(), rig.otherInstructor, own, {"neat", {}, {}}));
-        const AttemptId his = rig.add(rig.student, "class1-36", 500).value();
-        VERIFY_DONE(overrideScore(rig.school(), rig.otherInstructor, his, 600, "neat"));
+        const AttemptId students = rig.add(rig.student, "class1-36", 500).value();
+        VERIFY_DONE(overrideScore(rig.school(), rig.otherInstructor, students, 600, "neat"));
     }
 
     void listsHoldOnlyWhatOneMaySee_data() { support::addEngines(); }

@@ -218,6 +218,32 @@ private slots:
         QVERIFY2(csv.find(",0.1,no,,80.0,345.678,0.850,2.400,") != std::string::npos, csv.c_str());
     }
 
+    /// The score and whether it passes are those of the class page: a teacher's score counts instead of the automatic
+    /// one.
+    void exportSaysWhatTheClassPageSays()
+    {
+        SchoolRig rig(support::populatedSchool(false));
+        const AttemptId failed = rig.add(rig.student, "class1-36", 300).value();
+        VERIFY_DONE(overrideScore(rig.school(), rig.instructor, failed, 800, "neat"));
+        const AttemptId passed = rig.add(rig.student, "class1-36", 900).value();
+        VERIFY_DONE(overrideScore(rig.school(), rig.instructor, passed, 100, "not their work"));
+        QStringList lines;
+        VERIFY_DONE(exportAttempts(rig.school(), rig.admin, [&](std::string_view line) {
+            lines += QString::fromUtf8(line.data(), static_cast<qsizetype>(line.size())).trimmed();
+            return true;
+        }));
+        const QStringList head = lines.front().split(',');
+        const auto row = [&](qsizetype fromEnd) {
+            const QStringList fields = lines.at(lines.size() - fromEnd).split(',');
+            QStringList said;
+            for (const char* column : {"score", "passed", "given_score", "automatic_score"})
+                said += fields.value(head.indexOf(QLatin1String(column)));
+            return said;
+        };
+        QCOMPARE(row(2), QStringList({"80.0", "yes", "80.0", "30.0"}));
+        QCOMPARE(row(1), QStringList({"10.0", "no", "10.0", "90.0"}));
+    }
+
     /// A character outside Unicode's Basic Multilingual Plane takes two elements of a QString, but counts as one.
     void lettersAreCountedAndNotTheirHalves()
     {
@@ -359,6 +385,17 @@ private slots:
             const auto same = importRoster(rig.school(), rig.admin, odd, false);
             QVERIFY2(same.has_value() && same->faults.empty() && same->people.size() == 1,
                      same ? odd : same.error().detail.c_str());
+        }
+        // Empty columns behind the last one, also without a name of their own, and blanks beside quotes.
+        for (const char* spaced :
+             {"username,given_name,class,\nnew7,Ana,A,\n", "username;given_name;class;;\nnew7;Ana;A; ;\n",
+              "username,given_name,class\nnew7, \"Ana\", A,\n",
+              "username,given_name,class\n\"new7\" ,\"Ana\"\t, \"A\"\n"}) {
+            const auto read = importRoster(rig.school(), rig.admin, spaced, true);
+            QVERIFY2(read.has_value() && read->faults.empty() && read->people.size() == 1, spaced);
+            QCOMPARE(read->people[0].username, std::string("new7"));
+            QCOMPARE(read->people[0].fullName, std::string("Ana"));
+            QCOMPARE(read->people[0].classes, std::vector<std::string>{"A"});
         }
         for (const char* broken : {"", "name\nx\n", "username,username\nx,y\n", "username\n\"x\n", "username\n\"x\"y\n",
                                    "username\n\xFF\xFE\n", "username,role\nok1,student\nok2,boss\n"}) {
