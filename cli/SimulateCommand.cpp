@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -216,6 +217,28 @@ std::optional<std::string> tooDeep(const core::recording::DevicePath& path, doub
         .toStdString();
 }
 
+/// Returns a warning if the tip of the bur begins inside the tooth. The bur then feels and cuts nothing until it has
+/// been outside.
+std::optional<std::string> beginsInside(const core::recording::DevicePath& path,
+                                        const core::terrain::ToothAnatomy& tooth)
+{
+    const glm::dvec3& tip = path.points.front().tipMm;
+    const glm::dvec2 place = tooth.grid.latticeOf(glm::dvec2(tip));
+    const auto i = static_cast<int>(std::lround(std::clamp(place.x, -1.0, static_cast<double>(tooth.grid.side))));
+    const auto j = static_cast<int>(std::lround(std::clamp(place.y, -1.0, static_cast<double>(tooth.grid.side))));
+    if (!tooth.grid.contains(i, j))
+        return std::nullopt;
+    const std::size_t column = tooth.grid.index(i, j);
+    const auto topMm = static_cast<double>(tooth.top[column]);
+    if (!(tip.z < topMm - tooth.grid.cellMm) || !(tip.z > static_cast<double>(tooth.bottom[column])))
+        return std::nullopt;
+    return QStringLiteral(
+               "the bur begins inside the tooth, whose surface there is at z %1 mm: it feels and cuts nothing "
+               "until it has been outside; begin the path above it")
+        .arg(topMm, 0, 'f', 2)
+        .toStdString();
+}
+
 /// Returns an error about the first output file that would overwrite another file of the command line; empty if there
 /// is none.
 QString clashingFiles(const QCommandLineParser& parser)
@@ -389,6 +412,8 @@ int simulateCommand(const QStringList& arguments)
     std::vector<std::string> warnings = tooth->report.warnings;
     if (const auto warning = tooDeep(work.path, tooth->report.highMm.z))
         warnings.push_back(*warning);
+    else if (const auto inside = beginsInside(work.path, *work.anatomy))
+        warnings.push_back(*inside);
 
     const QString record = parser.value(QStringLiteral("record"));
     if (!record.isEmpty() && !QFileInfo(QFileInfo(record).absolutePath()).isWritable())

@@ -157,7 +157,7 @@ int resetUser(const QCommandLineParser& parser, const QString& username)
         return failed(reset.error());
     if (person->disabled)
         warn({username.toStdString() + " is disabled and cannot log in, with a code or without; \"cusp user disable " +
-              username.toStdString() + " --enable\" lets him in again"});
+              username.toStdString() + " --enable\" lets them in again"});
     return tellCode(parser, username, reset->code, "the password of " + username.toStdString() + " is taken away");
 }
 
@@ -207,13 +207,13 @@ struct Part
 
 constexpr std::array kParts{
     Part{"add", "cusp user add NAME --as ADMIN [--given NAME] [--family NAME] [--role ROLE] [--db FILE|URL]",
-         "enters a person and tells the one-time code that lets him in", addNames, addUser},
+         "adds a person and prints the one-time code for their first login", addNames, addUser},
     Part{"list", "cusp user list --as NAME [--db FILE|URL] [--json]", "lists the people one may see", nothing,
          listUsers, false},
     Part{"reset", "cusp user reset NAME --as ADMIN [--db FILE|URL]",
-         "takes a password away and tells a one-time code in its place", nothing, resetUser},
+         "removes a password and prints a one-time code in its place", nothing, resetUser},
     Part{"disable", "cusp user disable NAME --as ADMIN [--enable] [--db FILE|URL]",
-         "lets a person no longer log in; what he did stays", addEnable, disableUser},
+         "lets a person no longer log in; their attempts stay", addEnable, disableUser},
 };
 
 /// Returns an error for a path that SQLite uses for its own files: SQLite could delete the file, or read it into the

@@ -294,17 +294,17 @@ core::Result<core::recording::Recording> readExpert(const Assignment& assignment
     auto recording = core::recording::readRecording(path);
     if (!recording)
         return recording;
-    const core::terrain::ToothAnatomy& his = *recording->anatomy();
+    const core::terrain::ToothAnatomy& experts = *recording->anatomy();
     const core::terrain::ToothAnatomy& ours = *assignment.anatomy;
     const bool mayDiffer = assignment.lesson->task == Task::TellLayers;
-    if (!core::terrain::isSameTooth(his, ours) &&
-        !(mayDiffer && core::preparation::surfaceHash(his) == core::preparation::surfaceHash(ours))) {
+    if (!core::terrain::isSameTooth(experts, ours) &&
+        !(mayDiffer && core::preparation::surfaceHash(experts) == core::preparation::surfaceHash(ours))) {
         const auto words = [](const core::terrain::ToothAnatomy& tooth) {
             return "'" + tooth.name + "' (seed " + std::to_string(tooth.seed) + ", grid " +
                    std::to_string(tooth.grid.side) + ")";
         };
         return core::unexpected(core::ErrorCode::OtherTooth,
-                                where + "the attempt is at the tooth " + words(his) + ", the lesson's is " +
+                                where + "the attempt is at the tooth " + words(experts) + ", the lesson's is " +
                                     words(ours) +
                                     ", or its decay is another; record an attempt at this lesson and name that");
     }

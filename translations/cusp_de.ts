@@ -5722,7 +5722,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>out of tries</source>
-        <extracomment>Of a student who has no attempts left at a lesson that he has not passed</extracomment>
+        <extracomment>Of a student who has no attempts left at a lesson that they have not passed</extracomment>
         <translation>ohne Versuche</translation>
     </message>
     <message>

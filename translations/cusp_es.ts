@@ -5722,7 +5722,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>out of tries</source>
-        <extracomment>Of a student who has no attempts left at a lesson that he has not passed</extracomment>
+        <extracomment>Of a student who has no attempts left at a lesson that they have not passed</extracomment>
         <translation>sin intentos</translation>
     </message>
     <message>

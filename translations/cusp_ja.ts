@@ -5689,7 +5689,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>out of tries</source>
-        <extracomment>Of a student who has no attempts left at a lesson that he has not passed</extracomment>
+        <extracomment>Of a student who has no attempts left at a lesson that they have not passed</extracomment>
         <translation>回数切れ</translation>
     </message>
     <message>

@@ -221,7 +221,10 @@ void addToothOptions(QCommandLineParser& parser)
     };
     add("grid", "Nodes a side of the height maps, 64 to 1024 (150).", "N");
     add("unit", "Unit of the file: mm, cm, m, in, or millimetres in one unit; guessed when absent.", "U");
-    add("up", "Direction of the crown in the file: +x -x +y -y +z -z; guessed when absent.", "A");
+    add("up",
+        "Direction of the crown in the file: +x -x +y -y +z -z, or three "
+        "numbers such as 1,0,1; guessed when absent.",
+        "A");
     add("fdi", "FDI number of the tooth in the file.", "NN");
     add("frame", "\"file\" keeps the file's own coordinates, taken as mm with +z up.", "FRAME", "tooth");
     add("seed", "Seed of shape, layers and decay (0).", "N");

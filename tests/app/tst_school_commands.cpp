@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <pty.h>
+#include <pwd.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <termios.h>
@@ -67,6 +68,16 @@ private slots:
         m_folder = std::make_unique<QTemporaryDir>();
         for (const char* name : {"school.sqlite", "station.key"})
             QVERIFY(QFile::copy(m_made.filePath(name), at(name)));
+    }
+
+    /// A service may run without HOME: its files are in the home folder of its account, not in "/".
+    void withoutHomeTheAccountsFolderIsUsed()
+    {
+        const Ending ending = runCusp({"db", "stats"}, {"HOME=", "XDG_DATA_HOME="});
+        QVERIFY2(!ending.error.contains("//"), ending.error);
+        if (ending.exitCode != 0)
+            QVERIFY2(ending.error.contains(QByteArray(getpwuid(geteuid())->pw_dir) + "/.local/share/cusp/"),
+                     ending.error);
     }
 
     void aSchoolIsMadeAndPeopled()

@@ -671,7 +671,7 @@ private slots:
         QSignalSpy chosen(m_window.get(), &MainWindow::scanUnitChosen);
         import({"Centimetres were taken."}, true);
         QVERIFY(button->isVisible() && button->menu() != nullptr);
-        QCOMPARE(button->menu()->actions().size(), 4);
+        QCOMPARE(button->menu()->actions().size(), 5);
         button->menu()->actions().front()->trigger();
         QCOMPARE(chosen.size(), 1);
         QCOMPARE(chosen.front().front().toString(), QString("mm"));

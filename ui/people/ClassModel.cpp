@@ -60,7 +60,7 @@ QString needWord(Need need)
 {
     switch (need) {
     case Need::NoneLeft:
-        //: Of a student who has no attempts left at a lesson that he has not passed
+        //: Of a student who has no attempts left at a lesson that they have not passed
         return ClassModel::tr("out of tries");
     case Need::Stuck:
         //: Of a student
