@@ -40,12 +40,14 @@ core::Result<lessons::Assignment> workFor(const QCommandLineParser& parser, cons
     return std::move(assigned->assignment);
 }
 
-}  // namespace
-
-int demoCommand(const QStringList& arguments)
+/// Returns the ids of the hands that can do the work.
+QStringList hands()
 {
-    const QStringList hands{QLatin1String(ui::devices::kPointer), QLatin1String(ui::devices::kSimulated)};
-    QCommandLineParser parser;
+    return {QLatin1String(ui::devices::kPointer), QLatin1String(ui::devices::kSimulated)};
+}
+
+void addOptions(QCommandLineParser& parser)
+{
     parser.setApplicationDescription(QStringLiteral(
         "A simulated hand takes the decay out of a tooth, or does what a lesson asks for. Leaves the recording, its "
         "score and a picture in a folder."));
@@ -56,15 +58,25 @@ int demoCommand(const QStringList& arguments)
     parser.addOption({QStringLiteral("lesson"),
                       QStringLiteral("A lesson's file or id; its tooth is taken, and none of the options about teeth."),
                       QStringLiteral("FILE|ID")});
-    addDeviceOption(parser, hands);
+    addDeviceOption(parser, hands());
     addToothOptions(parser);
+}
+
+}  // namespace
+
+int demoCommand(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    addOptions(parser);
     if (const auto code = parse(parser, arguments, QStringLiteral("cusp demo [--out FOLDER] [OPTIONS]")))
+        return *code;
+    if (const auto code = refuseWords(parser))
         return *code;
     const auto source = core::teeth::parseSource(parser.value(QStringLiteral("tooth")).toStdString());
     const auto build = toothOptions(parser, source);
     if (!build)
         return wrongUsage(QString::fromStdString(build.error().detail));
-    const auto device = chosenDevice(parser, hands);
+    const auto device = chosenDevice(parser, hands());
     if (!device)
         return wrongUsage(QString::fromStdString(device.error().detail));
     const QDir folder(parser.value(QStringLiteral("out")));
@@ -78,7 +90,7 @@ int demoCommand(const QStringList& arguments)
                                   .arg(QString::fromStdString(work->lesson->id))
                             : QStringLiteral("Taking the decay out of tooth %1 with a simulated hand ...\n")
                                   .arg(QString::fromStdString(work->anatomy->name))));
-    const auto outcome = app::demonstrate(*work, *device == hands.back());
+    const auto outcome = app::demonstrate(*work, *device == hands().back());
     if (!outcome)
         return failed(outcome.error());
 

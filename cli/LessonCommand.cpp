@@ -82,6 +82,8 @@ int listLessons(const QStringList& arguments)
     addJson(parser);
     if (const auto code = parse(parser, arguments, QStringLiteral("cusp lesson list [--folder FOLDER] [--json]")))
         return *code;
+    if (const auto code = refuseWords(parser))
+        return *code;
     if (parser.isSet(QStringLiteral("folder")) && !QDir(parser.value(QStringLiteral("folder"))).exists())
         return failed({core::ErrorCode::FileMissing,
                        "there is no folder " + parser.value(QStringLiteral("folder")).toStdString()});
@@ -222,6 +224,8 @@ int listMeasures(const QStringList& arguments)
         QStringLiteral("Lists what can be measured of an attempt, for the criteria of a rubric."));
     addJson(parser);
     if (const auto code = parse(parser, arguments, QStringLiteral("cusp lesson measures [--json]")))
+        return *code;
+    if (const auto code = refuseWords(parser))
         return *code;
     QJsonArray list;
     QString text;

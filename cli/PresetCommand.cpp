@@ -113,6 +113,8 @@ int listPresets(const QStringList& arguments)
             parse(parser, arguments,
                   QStringLiteral("cusp preset list [--folder FOLDER | --as NAME [--db FILE|URL]] [--json]")))
         return *code;
+    if (const auto code = refuseWords(parser))
+        return *code;
     const bool isOfSchool = parser.isSet(QStringLiteral("as")) || parser.isSet(QStringLiteral("db"));
     if (isOfSchool && parser.isSet(QStringLiteral("folder")))
         return wrongUsage(QStringLiteral("list the presets of a folder or those of a school, not both at once"));

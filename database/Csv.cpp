@@ -142,10 +142,9 @@ tl::expected<std::vector<CsvRow>, CsvFault> readCsv(std::string_view bytes)
             endField();
         } else if (c == '\n') {
             endRow();
-        } else if (c == '\r' && (at + 1 == bytes.size() || bytes[at + 1] == '\n')) {
-            // the end of a line, as Windows writes it
-        } else if (in == In::AfterQuoted && isBlank(c)) {
-            // between a closing quote and the separator
+        } else if ((c == '\r' && (at + 1 == bytes.size() || bytes[at + 1] == '\n')) ||
+                   (in == In::AfterQuoted && isBlank(c))) {
+            // the end of a line, as Windows writes it; blanks between a closing quote and the separator
         } else if (in == In::AfterQuoted) {
             return tl::unexpected(CsvFault{CsvFault::Kind::AfterQuote, line, column});
         } else if (c == '"' && std::all_of(field.begin(), field.end(), isBlank)) {

@@ -7,7 +7,7 @@
 namespace haptics {
 
 /// Base class of real force devices. A device is found, started and monitored in its own thread. Each kind of device is
-/// one class and one row in app/devices/DeviceController.
+/// one class and one row in app/devices/StationDevices.
 ///
 /// The functions here are for the ui thread and return at once.
 class ForceDevice : public HapticDevice

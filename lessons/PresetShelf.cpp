@@ -191,7 +191,7 @@ core::Result<FeelPreset> findPreset(const std::vector<ReadPreset>& all, const QS
             return *read.preset;
     }
     return core::unexpected(core::ErrorCode::UnknownName,
-                            QStringLiteral("There is no hardness preset '%1'; there are %2.")
+                            QStringLiteral("There is no hardness preset '%1'; known: %2.")
                                 .arg(name.left(80), namesOf(all).join(QStringLiteral(", ")))
                                 .toStdString());
 }

@@ -112,8 +112,8 @@ void ResumeController::stopJournal(bool isDiscarded)
 void ResumeController::watchJournal()
 {
     if (const auto failure = m_journal->failure())
-        m_context.window.showError(*failure, m_context.window.isExamRunning() ? FailedOperation::KeepingExam
-                                                                              : FailedOperation::KeepingAttempt);
+        m_context.window.showJournalError(*failure, m_context.window.isExamRunning() ? FailedOperation::KeepingExam
+                                                                                     : FailedOperation::KeepingAttempt);
     else if (m_journal->isWell())
         m_context.window.hideJournalError();
 }

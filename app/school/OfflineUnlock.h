@@ -9,8 +9,8 @@
 namespace app {
 
 /// Holds the hash of the password with which the user logged in, so that they can unlock the window while the database
-/// cannot be reached. After kFreeTries wrong passwords the wait before the next try doubles with each wrong password,
-/// as it does in the database. Ui thread.
+/// cannot be reached. Each wrong password after kFreeTries makes the user wait before the next try: 2 s, 4 s, up to
+/// 1024 s. The tries are counted in memory, apart from those that the database counts. Ui thread.
 class OfflineUnlock
 {
 public:

@@ -182,6 +182,13 @@ std::optional<int> parse(QCommandLineParser& parser, const QStringList& argument
     return wrongUsage(fault + QStringLiteral("; usage: ") + usage);
 }
 
+std::optional<int> refuseWords(const QCommandLineParser& parser)
+{
+    if (parser.positionalArguments().isEmpty())
+        return std::nullopt;
+    return wrongUsage(QStringLiteral("\"%1\" belongs to no option").arg(parser.positionalArguments().front()));
+}
+
 void addJson(QCommandLineParser& parser)
 {
     parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});

@@ -43,6 +43,10 @@ struct CommandPart
 /// @returns the exit status of the program
 int runPart(const QString& command, std::span<const CommandPart> parts, const QStringList& arguments);
 
+/// Prints an error and returns an exit code if there is an argument that belongs to no option, for a command that takes
+/// none.
+[[nodiscard]] std::optional<int> refuseWords(const QCommandLineParser& parser);
+
 /// Adds the options that determine how a tooth is read or generated: --grid --unit --up --fdi --frame --seed --layers
 /// --caries --lies --tilt --site --extent.
 void addToothOptions(QCommandLineParser& parser);

@@ -175,7 +175,7 @@ std::optional<UpDirection> askewUp(const TriangleMesh& mesh, std::string& reason
             return std::nullopt;
     const double plus = endArea(mesh, axis, high, 0.25 * (high - low));
     const double minus = endArea(mesh, axis, low, 0.25 * (high - low));
-    const UpDirection up = directionOf(plus >= minus ? axis : -axis);
+    UpDirection up = directionOf(plus >= minus ? axis : -axis);
     reason = "guessed: the mesh is longest along " + up.name + " and that end is the wider one, as a crown is (" +
              inWords(100.0 * std::max(plus, minus) / (plus + minus)) + " % of both ends' outline)";
     return up;
@@ -194,7 +194,7 @@ UpDirection guessUp(const TriangleMesh& mesh, const MeshFacts& facts, std::strin
         reason = "guessed: the scan is open and its opening looks the other way";
         if (!isAskew(v))
             return axisOf(axis, v[axis]);
-        const UpDirection up = directionOf(v);
+        UpDirection up = directionOf(v);
         warnings.push_back(askewWords(up));
         return up;
     }

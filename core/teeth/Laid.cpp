@@ -55,14 +55,4 @@ std::string_view nameOf(const Lying& lying, int fdi)
     return (fdi != 0 ? kOfTheMouth : kOfTheFrame).at(static_cast<std::size_t>(side));
 }
 
-const std::vector<std::string>& lyingNames()
-{
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all(kOfTheMouth.begin(), kOfTheMouth.end());
-        all.insert(all.end(), kOfTheFrame.begin() + 1, kOfTheFrame.end());
-        return all;
-    }();
-    return names;
-}
-
 }  // namespace core::teeth

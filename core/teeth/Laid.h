@@ -29,9 +29,6 @@ namespace core::teeth {
 /// Returns the name of an orientation, as for findLying().
 [[nodiscard]] std::string_view nameOf(const terrain::Lying& lying, int fdi);
 
-/// Returns all names that findLying() accepts, those of a scan last.
-[[nodiscard]] const std::vector<std::string>& lyingNames();
-
 /// An upright tooth and the rotation that was applied to it. Its tissues are defined in its own frame: enamel becomes
 /// thinner towards the neck whichever side is up.
 struct LaidTooth

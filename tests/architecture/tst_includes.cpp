@@ -21,7 +21,7 @@ struct Room
 };
 
 /// What the operating system and the compiler offer beside the C++ standard library, which everyone may use.
-const QStringList kSystem{"fcntl.h", "pthread.h", "sched.h", "sys/", "termios.h", "time.h", "unistd.h"};
+const QStringList kSystem{"fcntl.h", "pthread.h", "pwd.h", "sched.h", "sys/", "termios.h", "time.h", "unistd.h"};
 
 const QStringList kWindow{"QtCore",          "QtGui", "QtWidgets",      "QtOpenGL",
                           "QtOpenGLWidgets", "QtSvg", "QtPrintSupport", "glm/"};

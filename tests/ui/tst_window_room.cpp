@@ -688,6 +688,10 @@ private slots:
         m_window->showBusy("Loading the scan");
         QVERIFY(!actions().grade->isEnabled() && !actions().openScan->isEnabled());
         QTRY_VERIFY(card->isVisible());
+        // An error of work in the background does not end it.
+        m_window->showGradeNotSaved({core::ErrorCode::FileUnwritable, "x"});
+        m_window->showJournalError({core::ErrorCode::FileUnwritable, "x"}, FailedOperation::KeepingAttempt);
+        QVERIFY(card->isWorking() && m_window->isBusy());
         m_window->showError({core::ErrorCode::NoTriangles, "x"}, FailedOperation::OpeningScan);
         QVERIFY(!card->isVisible() && actions().openScan->isEnabled());
         m_window->showBusy("Again");

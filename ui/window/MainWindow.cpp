@@ -734,13 +734,6 @@ void MainWindow::showError(const core::Error& error, text::FailedOperation faile
     m_notices.showError(error, failed, file);
 }
 
-void MainWindow::showGradeNotSaved(const core::Error& error)
-{
-    stopBusy();
-    m_isStandIn = m_state.tooth == nullptr;
-    m_notices.showGradeNotSaved(error);
-}
-
 void MainWindow::showSaved(const QString& path)
 {
     m_notices.showRecordingSaved(path);

@@ -199,7 +199,8 @@ public slots:
 
     // Messages and questions.
 
-    /// Announces an operation. showTooth(), showScore(), showError() and stopBusy() end it.
+    /// Announces an operation. showTooth(), showBeside(), askPrediction(), showScore(), showOldScore(), showError() and
+    /// stopBusy() end it.
     void showBusy(const QString& what);
     void stopBusy();
     /// @param file  path of the file that failed; empty: none
@@ -212,8 +213,8 @@ public slots:
     }
     /// The recording that recordingSaveRequested() asked for is in this file.
     void showSaved(const QString& path);
-    /// A grade could not be saved. The message stays until hideGradeNotSaved().
-    void showGradeNotSaved(const core::Error& error);
+    /// Shows that a grade could not be saved, until hideGradeNotSaved(). An operation announced by showBusy() goes on.
+    void showGradeNotSaved(const core::Error& error) { m_notices.showGradeNotSaved(error); }
     void hideGradeNotSaved() { m_messages->withdraw(kit::MessageBar::Topic::Keeping); }
     /// The school's database does not answer.
     void showDatabaseSilent();
@@ -225,6 +226,11 @@ public slots:
     void readAttemptsAgain();
     /// What could not be read for the page has been read.
     void hideReadError() { m_messages->withdraw(kit::MessageBar::Topic::Page); }
+    /// Shows that the attempt cannot be written to the disk while the student works. An announced operation goes on.
+    void showJournalError(const core::Error& error, text::FailedOperation failed)
+    {
+        m_notices.showError(error, failed, {});
+    }
     /// The attempt is written to the disk again, or is over.
     void hideJournalError() { m_messages->withdraw(kit::MessageBar::Topic::Journal); }
 

@@ -41,7 +41,7 @@ public:
     void setGraded() { m_graded = m_state.ownWork(); }
     /// Returns whether nothing has been cut since setGraded().
     [[nodiscard]] bool isAsGraded() const { return m_state.ownWork() == m_graded; }
-    /// Marks the graded work as saved. Call it when the database has the attempt with its recording.
+    /// Marks the graded work as saved. Call it when the outbox or the database has the attempt with its recording.
     void setGradedSaved() { m_saved = m_graded; }
     /// Marks the work as saved, and calls the action that waits for that. Call it when the recording of
     /// recordingSaveRequested() has been written.
