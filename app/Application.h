@@ -127,7 +127,7 @@ private:
     std::unique_ptr<SoundController> m_sound;
     AttemptLimit m_limit;
     LessonsController m_lessons;
-    AttemptContext m_context;  ///< what those below share
+    AttemptContext m_context;  ///< the parts that the controllers below share
     AttemptController m_attempts;
     SimulatedHand m_simulatedHand;
     ResumeController m_resume;

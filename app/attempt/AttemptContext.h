@@ -14,7 +14,7 @@
 
 namespace app {
 
-/// What every controller of an attempt works with. All of it outlives the controllers. Ui thread.
+/// The objects that every controller of an attempt uses. They must outlive the controllers. Ui thread.
 struct AttemptContext
 {
     ui::window::MainWindow& window;

@@ -87,6 +87,7 @@ struct DepthReading
                                              ///< pulp
 };
 
+/// Returns the depth of the tip and the distance to the pulp.
 /// @param pulp  of this tooth's anatomy
 /// @param headRadiusMm  of the bur, whose head is treated as a ball for toPulpMm; 0: only the tip
 [[nodiscard]] DepthReading readDepth(const terrain::Tooth& tooth, const PulpChamber& pulp, glm::dvec3 tipMm,

@@ -17,6 +17,7 @@ public:
     virtual ~Loop() = default;
 
     virtual void begin() {}
+    /// Runs one step.
     /// @param dt  time since the last tick: measured if waitForBeat() returned true, otherwise a whole number of
     ///            periods, more than one if beats were missed
     virtual void tick(std::chrono::microseconds dt) = 0;

@@ -18,6 +18,7 @@ enum class Sampling { Half, Double };  ///< approximate change of the number of 
 
 [[nodiscard]] std::shared_ptr<const ToothAnatomy> resampled(const ToothAnatomy& anatomy, Sampling sampling);
 
+/// Returns a tooth on the grid of another anatomy.
 /// @param anatomy  the tooth's own anatomy, resampled
 [[nodiscard]] Tooth resampled(const Tooth& tooth, std::shared_ptr<const ToothAnatomy> anatomy, Sampling sampling);
 

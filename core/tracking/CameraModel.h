@@ -23,6 +23,7 @@ struct CameraModel
     glm::dvec2 centrePx{0.0};
     std::array<double, 5> distortion{};  ///< k1, k2, p1, p2, k3
 
+    /// Returns a camera without distortion.
     /// @param fovDeg  horizontal field of view
     [[nodiscard]] static CameraModel withFieldOfView(int width, int height, double fovDeg);
     /// Checks the model. Error OutOfRange with one sentence.

@@ -50,6 +50,7 @@ public:
 /// installed).
 [[nodiscard]] Result<std::unique_ptr<PictureSource>> openCamera(int number, const CameraWish& wish);
 [[nodiscard]] Result<std::unique_ptr<PictureSource>> openVideo(const std::string& path);
+/// Opens a folder of pictures as a source.
 /// @param path  of a folder; its images are read in the order of their names
 [[nodiscard]] Result<std::unique_ptr<PictureSource>> openFolder(const std::string& path);
 

@@ -27,6 +27,7 @@ public:
     /// The known files have 7 to 9 KiB.
     static constexpr std::size_t kLargestBytes = 64 * 1024;
 
+    /// Checks a firmware file.
     /// @param bytes  the whole file, or its first kLargestBytes + 1 bytes if it is larger
     /// Errors: FileEmpty, FileTooLarge, WrongKind (not a boot stream, or one without a program), FileTruncated (ends
     /// within the header or a block), BadStructure (bytes after the end). The words are in the ui's translations.

@@ -14,6 +14,7 @@ class FootPedal
 public:
     static constexpr int kFull = 100;
 
+    /// Sets how far the pedal is pressed.
     /// @param percent  of the full speed; 0 stops the bur
     void set(int percent) noexcept
     {

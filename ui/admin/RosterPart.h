@@ -26,6 +26,7 @@ class RosterPart final : public QWidget
 public:
     explicit RosterPart(QWidget* parent);
 
+    /// Shows the people and classes of a list, or its faults.
     /// @param isDone  true after the import; false if the list was only checked
     void showOutcome(const database::RosterOutcome& outcome, const QString& file, bool isDone);
     /// Shows the progress.

@@ -491,7 +491,7 @@ void DevicesPage::showNextStep()
 void DevicesPage::takeNextStep()
 {
     if (QCheckBox* const onOrOff = shownSwitch())
-        onOrOff->setFocus();  // a click in the list turns on no camera
+        onOrOff->setFocus();  // a click in the list must not switch a camera on
     else if (!isHand(shownHand()))
         m_pedals->setFocus();
     else if (!m_next->isEnabled())

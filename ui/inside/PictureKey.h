@@ -16,6 +16,7 @@ class PictureKey
 public:
     using Sign = std::function<void(QPainter& painter, const QRectF& box)>;
 
+    /// Adds an entry.
     /// @param signPx  width of the sign; its height is kSignPx
     void add(const QString& words, double signPx, Sign sign);
     /// Makes the next entry start a row.

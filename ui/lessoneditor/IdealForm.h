@@ -41,6 +41,7 @@ public:
 
 signals:
     void sizeSet(const QString& id, double value);
+    /// Emitted when the user has chosen a captured ideal.
     /// @param name  a file in the lesson's folder; empty: by rule
     void referenceChosen(const QString& name);
     void recordingsRequested();

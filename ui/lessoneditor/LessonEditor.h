@@ -42,6 +42,7 @@ public:
     LessonEditor(const kit::Actions& actions, QWidget* parent);
     ~LessonEditor() override;
 
+    /// Opens a lesson.
     /// @param lesson  a valid lesson
     /// @param folder  the teacher's folder, where a version of a shipped lesson is saved
     void edit(const ::lessons::ReadLesson& lesson, const QString& folder);

@@ -27,6 +27,7 @@ public:
     void offerCriteria(const std::vector<::lessons::CriterionRule>& criteria);
     /// Discards the inputs' labels when the language changes. The inputs must be offered again.
     void forgetWords();
+    /// Shows the values of a rubric.
     /// @param rubric  the JSON object; it may be invalid
     void showValues(const QJsonObject& rubric);
     /// Shows the errors of the rubric beside their inputs. Returns all other errors.

@@ -605,7 +605,7 @@ void AssignPage::take(const QList<AssignmentChange>& changes)
         return;
     }
     m_isAsking = true;
-    // The buttons are disabled until the answer and would pass the focus on to the next widget.
+    // The buttons are disabled until the answer arrives, and a disabled button passes its focus to the next widget.
     m_hadFocus = m_assign->hasFocus() || m_change->hasFocus() || m_takeBack->hasFocus() || m_undo->hasFocus();
     if (m_hadFocus)
         (m_given.isEmpty() ? static_cast<QWidget*>(m_list) : m_table)->setFocus();

@@ -34,6 +34,7 @@ public:
     [[nodiscard]] bool isComparing() const { return m_trial && !m_trial->isOver(); }
     /// Returns the version that the preset is based on.
     [[nodiscard]] const core::settings::FeelPreset& base() const { return m_base; }
+    /// Shows what has been cut so far.
     /// @param bur        the bur in use, index into core::bur::burs()
     /// @param handpiece  index into core::settings::handpieces()
     /// @param cutMm3     volume cut from the block so far; the user can answer after cutting with both presets

@@ -33,6 +33,7 @@ public:
     /// Switches the drill for the user.
     void switchDrill(bool on);
     void chooseBur(int index);
+    /// Requests another handpiece.
     /// @param shipped  index into core::settings::handpieces()
     void chooseHandpiece(int shipped);
     /// Selects the bur and the handpiece that an interrupted attempt used last.

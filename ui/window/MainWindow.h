@@ -170,6 +170,7 @@ public slots:
     void setHandpieces(const std::vector<core::settings::Handpiece>& atHand);
     /// Asks which score the student expects.
     void askPrediction();
+    /// Shows the score of the current attempt.
     /// @param history   scores of this tooth, newest first, including this one; empty: none are stored
     /// @param expected  the student's prediction
     /// @param scored    the work, for its pictures
@@ -203,6 +204,7 @@ public slots:
     /// stopBusy() end it.
     void showBusy(const QString& what);
     void stopBusy();
+    /// Shows an error, and ends the operation announced by showBusy().
     /// @param file  path of the file that failed; empty: none
     void showError(const core::Error& error, text::FailedOperation failed, const QString& file = {});
     void showMessage(const QString& sentence) { m_notices.say(sentence); }

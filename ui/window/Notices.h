@@ -26,6 +26,7 @@ public:
     /// Shows a sentence for some seconds, with an undo button.
     /// @param undo  called when the button is pressed
     void sayUndoable(const QString& sentence, const std::function<void()>& undo);
+    /// Shows an error.
     /// @param file  path of the file that failed; empty: none
     void showError(const core::Error& error, text::FailedOperation failed, const QString& file);
     /// Shows that a grade could not be saved. The message stays until Topic::Keeping is withdrawn.

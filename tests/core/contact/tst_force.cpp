@@ -137,8 +137,8 @@ private slots:
             }
             return force.z - 7.5 * 0.4;
         };
-        // Three times as stiff as 2.5 N/mm: twice 30 N s/m more, and a third of the damping uses the velocity that is
-        // known late.
+        // The spring is three times as stiff as 2.5 N/mm. So the prompt damper has twice 30 N s/m, and a third of the
+        // 30 N s/m of the slow damper remains: 70 N s/m together, or 7 N at 100 mm/s.
         QVERIFY(between(beyond({0.0, 0.0, -100.0}), 6.0, 7.5));
         QVERIFY(between(beyond({100.0, 0.0, 0.0}), -1.0e-6, 1.0e-6));
         // A hand that leaves is not held back: the damper reduces the spring's force, at most to zero.
