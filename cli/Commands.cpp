@@ -47,13 +47,6 @@ int unknownCommand(const QString& name)
     return wrongUsage(QStringLiteral("cusp has no command \"%1\"; \"cusp help\" lists those there are").arg(name));
 }
 
-/// Message handler: hides Qt's messages about the desktop at its start, except a fatal one.
-void hearQtStart(QtMsgType type, const QMessageLogContext& /*where*/, const QString& text)
-{
-    if (type == QtFatalMsg)
-        std::_Exit(failed({core::ErrorCode::FileUnreadable, "Nothing can be drawn: " + text.toStdString()}));
-}
-
 /// Message handler: hides Qt's warnings about a failed statement, because the command reports the error in a sentence.
 void hearQt(QtMsgType type, const QMessageLogContext& /*where*/, const QString& text)
 {
@@ -101,6 +94,13 @@ int helpCommand(const QStringList& arguments)
 }
 
 }  // namespace
+
+void hearQtStart(QtMsgType type, const QMessageLogContext& /*where*/, const QString& text)
+{
+    // The first line says what is wrong, the others list the plugins of Qt.
+    if (type == QtFatalMsg)
+        std::_Exit(failed({core::ErrorCode::FileUnreadable, text.section(u'\n', 0, 0).toStdString()}));
+}
 
 std::span<const Command> commands()
 {

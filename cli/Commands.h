@@ -5,6 +5,7 @@
 #include <span>
 
 #include <QStringList>
+#include <QtGlobal>
 
 #include "cli/parts/ExitCode.h"
 
@@ -31,6 +32,10 @@ struct Command
 /// Runs the command of the command line, or prints help or version. Empty if the window has to be opened: without
 /// arguments, or with an option of the window.
 [[nodiscard]] std::optional<int> run(int& argc, char** argv);
+
+/// Message handler for the start of a QApplication: hides Qt's messages about the desktop, and ends the program with
+/// one sentence where Qt would abort.
+void hearQtStart(QtMsgType type, const QMessageLogContext& where, const QString& text);
 
 // One function per command, each in its own file.
 int toothCommand(const QStringList& arguments);

@@ -14,6 +14,7 @@
 #include "app/Application.h"
 #include "app/devices/StationDevices.h"
 #include "app/devices/StopForces.h"
+#include "app/threads/Display.h"
 #include "cli/Commands.h"
 #include "cli/parts/Arguments.h"
 #include "ui/devices/DeviceKind.h"
@@ -27,12 +28,10 @@ namespace {
 constexpr int kSamples = 4;
 constexpr int kFirstTooth = 36;
 
-/// Returns whether there is a display. Without a display, Qt would abort with its own message.
-bool hasDisplay(std::span<char*> arguments)
+/// Returns whether the arguments name a platform of Qt, which Qt then opens whatever the environment says.
+bool namePlatform(std::span<char*> arguments)
 {
-    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
-           qEnvironmentVariableIsSet("QT_QPA_PLATFORM") ||
-           std::any_of(arguments.begin(), arguments.end(),
+    return std::any_of(arguments.begin(), arguments.end(),
                        [](const char* argument) { return std::string_view(argument).ends_with("-platform"); });
 }
 
@@ -95,8 +94,8 @@ std::optional<int> takeOptions(QCommandLineParser& parser, const QStringList& ar
     return std::nullopt;
 }
 
-/// Prints, without a display, that the usage is wrong or that there is no display.
-int sayThereIsNoDisplay(int& argc, char** argv)
+/// Prints, without a display, that the usage is wrong or why no window can be opened.
+int sayThereIsNoDisplay(int& argc, char** argv, const QString& why)
 {
     const QCoreApplication application(argc, argv);
     QCommandLineParser parser;
@@ -104,7 +103,7 @@ int sayThereIsNoDisplay(int& argc, char** argv)
     if (const auto code = takeOptions(parser, QCoreApplication::arguments().mid(1), options))
         return *code;
     return failed({core::ErrorCode::FileUnreadable,
-                   "there is no display to open a window on; \"cusp help\" lists what works without one"});
+                   "no window can be opened: " + why.toStdString() + "; \"cusp help\" lists what works without one"});
 }
 
 /// Returns the requested language, otherwise the one of the last run, otherwise that of the system.
@@ -128,8 +127,9 @@ QString windowOptionsHelp()
 
 int runWindow(int& argc, char** argv)
 {
-    if (!hasDisplay({argv, static_cast<std::size_t>(argc)}))
-        return sayThereIsNoDisplay(argc, argv);
+    if (!namePlatform({argv, static_cast<std::size_t>(argc)}))
+        if (const QString why = app::whyNoDisplay(qEnvironmentVariable("QT_QPA_PLATFORM")); !why.isEmpty())
+            return sayThereIsNoDisplay(argc, argv, why);
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
@@ -137,7 +137,9 @@ int runWindow(int& argc, char** argv)
     format.setDepthBufferSize(24);
     QSurfaceFormat::setDefaultFormat(format);
 
+    const QtMessageHandler handler = qInstallMessageHandler(hearQtStart);
     QApplication application(argc, argv);
+    qInstallMessageHandler(handler);
     QApplication::setApplicationName(QStringLiteral("cusp"));
     QApplication::setApplicationDisplayName(QStringLiteral("Cusp"));
     QApplication::setApplicationVersion(QStringLiteral(CUSP_VERSION));

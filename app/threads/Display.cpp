@@ -1,30 +1,142 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/threads/Display.h"
 
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+
 #include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QLibrary>
+#include <QLibraryInfo>
 #include <QProcess>
 #include <QStandardPaths>
 
 namespace app {
 namespace {
 
-/// Asked for by scripts that want no window; neither can draw with OpenGL.
+const QString kX11 = QStringLiteral("xcb");
+const QString kWayland = QStringLiteral("wayland");
+constexpr const char* kChoice = "QT_QPA_PLATFORM";
+
+/// Scripts that want no window ask for these platforms. Neither can draw with OpenGL.
 bool isBlind(const QString& platform)
 {
     return platform == u"offscreen" || platform == u"minimal";
 }
 
+/// Returns whether Qt has a plugin for a platform. It cannot be told if the environment names other folders of plugins.
+bool hasPlugin(const QString& platform)
+{
+    if (qEnvironmentVariableIsSet("QT_PLUGIN_PATH") || qEnvironmentVariableIsSet("QT_QPA_PLATFORM_PLUGIN_PATH"))
+        return true;
+    const QDir plugins(QLibraryInfo::path(QLibraryInfo::PluginsPath) + QStringLiteral("/platforms"));
+    return !plugins.entryList({QStringLiteral("libq%1*.so").arg(platform)}).isEmpty();
+}
+
+/// Returns why no window can be opened on the X server that DISPLAY names; empty if one can.
+QString whyNoX11()
+{
+    const QString display = qEnvironmentVariable("DISPLAY");
+    if (display.isEmpty())
+        return QStringLiteral("there is no display");
+    struct Connection;
+    QLibrary library(QStringLiteral("xcb"), 1);
+    const auto connectTo = reinterpret_cast<Connection* (*)(const char*, int*)>(library.resolve("xcb_connect"));
+    const auto errorOf = reinterpret_cast<int (*)(Connection*)>(library.resolve("xcb_connection_has_error"));
+    const auto disconnect = reinterpret_cast<void (*)(Connection*)>(library.resolve("xcb_disconnect"));
+    if (!hasPlugin(kX11) || connectTo == nullptr || errorOf == nullptr || disconnect == nullptr)
+        return QStringLiteral("Qt cannot open windows under X11 (Debian package libqt6gui6)");
+    Connection* const connection = connectTo(nullptr, nullptr);  // never null
+    const bool isThere = errorOf(connection) == 0;
+    disconnect(connection);
+    return isThere ? QString() : QStringLiteral("no X server lets this program in at DISPLAY=%1").arg(display);
+}
+
+/// Returns why no window can be opened on the Wayland server that the environment names; empty if one can.
+QString whyNoWayland()
+{
+    if (qEnvironmentVariableIsSet("WAYLAND_SOCKET"))  // an open connection, given by the server
+        return {};
+    const QString display = qEnvironmentVariable("WAYLAND_DISPLAY");
+    if (display.isEmpty())
+        return QStringLiteral("there is no display");
+    if (!hasPlugin(kWayland))
+        return QStringLiteral("Qt cannot open windows under Wayland (Debian package qt6-wayland)");
+    const QByteArray path = QFile::encodeName(QDir(qEnvironmentVariable("XDG_RUNTIME_DIR")).absoluteFilePath(display));
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    bool isThere = false;
+    if (path.size() < static_cast<qsizetype>(sizeof(address.sun_path))) {
+        std::memcpy(address.sun_path, path.constData(), static_cast<std::size_t>(path.size()));
+        const int connection = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+        isThere = connect(connection, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
+        close(connection);
+    }
+    return isThere ? QString() : QStringLiteral("no Wayland server answers at WAYLAND_DISPLAY=%1").arg(display);
+}
+
+/// Returns why no window can be opened on a platform of Qt; empty if one can. Other platforms need no server.
+QString whyNot(const QString& platform)
+{
+    return platform == kX11 ? whyNoX11() : platform.startsWith(kWayland) ? whyNoWayland() : QString();
+}
+
+/// Returns those of some platforms that can be opened. A name may have options behind a colon.
+QStringList openable(const QStringList& platforms)
+{
+    QStringList found;
+    std::copy_if(platforms.begin(), platforms.end(), std::back_inserter(found), [](const QString& platform) {
+        return !platform.isEmpty() && whyNot(platform.section(u':', 0, 0)).isEmpty();
+    });
+    return found;
+}
+
+void choose(const QStringList& platforms)
+{
+    qputenv(kChoice, platforms.join(u';').toLocal8Bit());
+}
+
 }  // namespace
+
+QString whyNoDisplay(const QString& asked)
+{
+    if (const QStringList found = openable(asked.split(u';')); !found.isEmpty()) {
+        choose(found);
+        return {};
+    }
+    const QString x11 = whyNoX11();
+    const QString wayland = whyNoWayland();
+    if (x11.isEmpty() && wayland.isEmpty()) {
+        qunsetenv(kChoice);  // Qt takes the one of the desktop
+        return {};
+    }
+    if (x11.isEmpty() || wayland.isEmpty()) {
+        choose({x11.isEmpty() ? kX11 : kWayland});
+        return {};
+    }
+    if (qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") || x11 == wayland)
+        return x11;
+    return qEnvironmentVariableIsEmpty("DISPLAY") ? wayland : x11 + QStringLiteral(", and ") + wayland;
+}
 
 bool hasDisplay()
 {
-    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+    const QString asked = qEnvironmentVariable(kChoice);
+    return whyNoDisplay(isBlind(asked) ? QString() : asked).isEmpty();
 }
 
 int runOnDisplay(const QStringList& arguments, bool quiet)
 {
     QString program = QCoreApplication::applicationFilePath();
     QStringList all = arguments;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    if (isBlind(environment.value(QLatin1String(kChoice))))
+        environment.remove(QLatin1String(kChoice));
     if (!hasDisplay()) {
         const QString xvfb = QStandardPaths::findExecutable(QStringLiteral("xvfb-run"));
         if (xvfb.isEmpty())
@@ -35,9 +147,6 @@ int runOnDisplay(const QStringList& arguments, bool quiet)
         program = xvfb;
     }
     QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    if (isBlind(environment.value(QStringLiteral("QT_QPA_PLATFORM"))))
-        environment.remove(QStringLiteral("QT_QPA_PLATFORM"));
     process.setProcessEnvironment(environment);
     if (!quiet)
         process.setProcessChannelMode(QProcess::ForwardedChannels);

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
 #include <QStringList>
 
 namespace app {
 
-/// Whether Qt finds a display to open. Asked before there is an application: without one Qt would abort with a message
-/// of its own.
+/// Finds a display for a window, and sets QT_QPA_PLATFORM so that Qt opens this display. Qt alone would try only its
+/// favourite and abort if that one does not answer. Call it before there is a QGuiApplication, from one thread.
+/// @param asked  platforms that the user asks for, as in QT_QPA_PLATFORM; empty: none in particular
+/// @return nothing if there is a display; otherwise why there is none, a clause in English
+[[nodiscard]] QString whyNoDisplay(const QString& asked);
+
+/// Whether there is a display on which a tooth can be drawn. Otherwise as whyNoDisplay().
 [[nodiscard]] bool hasDisplay();
 
 /// Runs this program with other arguments on the available display, or on one of its own from xvfb-run, and waits until

@@ -246,6 +246,27 @@ private slots:
         }
     }
 
+    /// A display that is gone, or one that Qt would choose first, does not keep the tooth from being drawn.
+    void otherDisplays_data()
+    {
+        QTest::addColumn<QStringList>("environment");
+        const QString x11 = "DISPLAY=" + qEnvironmentVariable("DISPLAY");
+        const QString wayland = "WAYLAND_DISPLAY=wayland-4711";
+        QTest::newRow("a stale DISPLAY") << QStringList{"DISPLAY=:4711"};
+        QTest::newRow("nothing but a stale WAYLAND_DISPLAY") << QStringList{wayland};
+        QTest::newRow("a stale WAYLAND_DISPLAY") << QStringList{x11, wayland, "XDG_SESSION_TYPE=wayland"};
+        QTest::newRow("Wayland asked for") << QStringList{x11, "QT_QPA_PLATFORM=wayland"};
+        QTest::newRow("no window asked for") << QStringList{x11, "QT_QPA_PLATFORM=offscreen"};
+    }
+    void otherDisplays()
+    {
+        QFETCH(const QStringList, environment);
+        const QString file = m_folder.filePath("other.png");
+        QFile::remove(file);
+        expectDone(runCusp({"render", "--size", "480x300", "--tooth", "36", "--out", file}, environment));
+        QCOMPARE(QImage(file).size(), QSize(480, 300));
+    }
+
 private:
     /// Records an attempt on tooth 36: a box through enamel and lesion into dentin.
     /// @param atEndMm  height at which the hand holds the bur at the end

@@ -117,7 +117,40 @@ private slots:
             QVERIFY2(help.contains(option), option);
     }
 
-    void windowWithoutADisplaySaysSo() { expectRefusal(runCusp({"--tooth", "36"}), "no display"); }
+    void windowWithoutADisplaySaysSo_data()
+    {
+        QTest::addColumn<QStringList>("environment");
+        QTest::addColumn<QByteArray>("words");
+        const auto add = [](const char* name, const QStringList& environment, const char* words) {
+            QTest::newRow(name) << environment << QByteArray(words);
+        };
+        const QString x11 = "DISPLAY=:4711";
+        const QString wayland = "WAYLAND_DISPLAY=wayland-4711";
+        add("none", {}, "there is no display");
+        add("a stale DISPLAY", {x11}, "no X server lets this program in at DISPLAY=:4711");
+        add("a DISPLAY that is none", {"DISPLAY=nonsense"}, "at DISPLAY=nonsense");
+        add("a stale WAYLAND_DISPLAY", {wayland, "XDG_RUNTIME_DIR=/tmp"}, "at WAYLAND_DISPLAY=wayland-4711");
+        add("a file in its place", {"WAYLAND_DISPLAY=/etc/passwd"}, "at WAYLAND_DISPLAY=/etc/passwd");
+        add("a name that is too long", {"WAYLAND_DISPLAY=/" + QString(200, u'w')}, "no Wayland server answers");
+        add("both stale", {x11, wayland}, "at DISPLAY=:4711, and no Wayland server answers");
+        add("a desktop that is gone", {x11, wayland, "XDG_SESSION_TYPE=wayland"}, "DISPLAY=:4711");
+        add("X11 asked for", {x11, "QT_QPA_PLATFORM=xcb"}, "DISPLAY=:4711");
+        add("Wayland asked for", {wayland, "QT_QPA_PLATFORM=wayland;wayland-egl"}, "WAYLAND_DISPLAY=wayland-4711");
+        add("a platform that Qt does not know", {"QT_QPA_PLATFORM=nonsense"}, "platform plugin");
+    }
+    void windowWithoutADisplaySaysSo()
+    {
+        QFETCH(const QStringList, environment);
+        QFETCH(const QByteArray, words);
+        expectRefusal(runCusp({"--tooth", "36"}, environment), words);
+        const Ending wrong = runCusp({"--theme", "blue"}, environment);
+        if (!environment.contains("QT_QPA_PLATFORM=nonsense"))
+            expectRefusal(wrong, "--theme", 2);
+    }
+    void platformOfTheCommandLine()
+    {
+        expectRefusal(runCusp({"--tooth", "36", "-platform", "xcb"}, {"DISPLAY=:4711"}), "platform plugin");
+    }
 
     void exportKeepsItsInput()
     {
