@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "database/NameOrder.h"
 #include "database/Usernames.h"
 #include "database/sql/Audit.h"
 #include "database/sql/StartedExams.h"
@@ -101,7 +102,7 @@ core::Result<std::vector<SchoolClass>> listClasses(const DatabaseContext& school
                     "SELECT c.id, c.name, COUNT(CASE WHEN p.role = 'student' AND p.disabled = 0 THEN 1 END), "
                     "COUNT(CASE WHEN p.role = 'instructor' AND p.disabled = 0 THEN 1 END) FROM classes c "
                     "LEFT JOIN enrolments e ON e.class_id = c.id LEFT JOIN people p ON p.id = e.person_id" +
-                        within(*who) + " GROUP BY c.id, c.name ORDER BY c.name",
+                        within(*who) + " GROUP BY c.id, c.name",
                     kListClasses, valuesOf(*who, session),
                     [&](const QSqlQuery& row) {
                         classes.push_back(
@@ -109,6 +110,8 @@ core::Result<std::vector<SchoolClass>> listClasses(const DatabaseContext& school
                     });
         !read)
         return tl::unexpected(read.error());
+    std::sort(classes.begin(), classes.end(),
+              [order = NameOrder()](const SchoolClass& a, const SchoolClass& b) { return order(a.name, b.name); });
     return classes;
 }
 

@@ -10,6 +10,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include "database/NameOrder.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/StartedExams.h"
 #include "database/sql/Statement.h"
@@ -30,21 +31,30 @@ const QString kStudents = QStringLiteral("people p JOIN enrolments e ON e.person
 core::Status readStudents(const DatabaseContext& school, ClassOverview& overview,
                           std::map<std::int64_t, std::size_t>& rowOf)
 {
-    return forEach(school.db,
-                   "SELECT p.id, p.username, p.given_name, p.family_name, p.last_login_utc, p.disabled FROM " +
-                       kStudents + " ORDER BY p.family_name, p.given_name, p.username",
-                   kReadingOverview, {number(overview.id.value)}, [&](const QSqlQuery& row) {
-                       MatrixStudent student;
-                       student.id = {row.value(0).toLongLong()};
-                       student.username = textOf(row, 1);
-                       const std::string given = textOf(row, 2);
-                       const std::string family = textOf(row, 3);
-                       student.fullName = given + (given.empty() || family.empty() ? "" : " ") + family;
-                       student.lastLoginUtc = textOf(row, 4);
-                       student.isDisabled = row.value(5).toInt() != 0;
-                       rowOf[student.id.value] = overview.students.size();
-                       overview.students.push_back(std::move(student));
-                   });
+    std::vector<std::pair<SortedName, MatrixStudent>> students;
+    if (auto read = forEach(
+            school.db,
+            "SELECT p.id, p.username, p.given_name, p.family_name, p.last_login_utc, p.disabled FROM " + kStudents,
+            kReadingOverview, {number(overview.id.value)},
+            [&](const QSqlQuery& row) {
+                MatrixStudent student;
+                student.id = {row.value(0).toLongLong()};
+                student.username = textOf(row, 1);
+                const SortedName name{textOf(row, 3), textOf(row, 2), student.username};
+                student.fullName = name.given + (name.given.empty() || name.family.empty() ? "" : " ") + name.family;
+                student.lastLoginUtc = textOf(row, 4);
+                student.isDisabled = row.value(5).toInt() != 0;
+                students.emplace_back(name, std::move(student));
+            });
+        !read)
+        return read;
+    std::sort(students.begin(), students.end(),
+              [order = NameOrder()](const auto& a, const auto& b) { return order(a.first, b.first); });
+    for (auto& [name, student] : students) {
+        rowOf[student.id.value] = overview.students.size();
+        overview.students.push_back(std::move(student));
+    }
+    return {};
 }
 
 core::Status readCells(const DatabaseContext& school, ClassOverview& overview,

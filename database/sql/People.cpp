@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/Bytes.h"
+#include "database/NameOrder.h"
 #include "database/Passwords.h"
 #include "database/Usernames.h"
 #include "database/sql/Audit.h"
@@ -184,17 +185,17 @@ core::Result<std::vector<Person>> listPeople(const DatabaseContext& school, cons
         values = {static_cast<qlonglong>(session.person().value)};
     }
     std::vector<Person> people;
-    std::map<std::int64_t, std::size_t> placeOf;
-    if (auto read = forEach(school.db,
-                            "SELECT " + kPersonColumns + " FROM people p" + where +
-                                " ORDER BY p.family_name, p.given_name, p.username",
-                            "list the people", values,
-                            [&](const QSqlQuery& row) {
-                                people.push_back(personOf(row));
-                                placeOf[people.back().id.value] = people.size() - 1;
-                            });
+    if (auto read = forEach(school.db, "SELECT " + kPersonColumns + " FROM people p" + where, "list the people", values,
+                            [&](const QSqlQuery& row) { people.push_back(personOf(row)); });
         !read)
         return tl::unexpected(read.error());
+    std::sort(people.begin(), people.end(), [order = NameOrder()](const Person& a, const Person& b) {
+        return order(SortedName{a.familyName, a.givenName, a.username},
+                     SortedName{b.familyName, b.givenName, b.username});
+    });
+    std::map<std::int64_t, std::size_t> placeOf;
+    for (std::size_t k = 0; k < people.size(); ++k)
+        placeOf[people[k].id.value] = k;
     if (auto read =
             forEach(school.db, "SELECT person_id, class_id FROM enrolments ORDER BY class_id", "list the people", {},
                     [&](const QSqlQuery& row) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QDir>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -44,6 +45,51 @@ private slots:
             QVERIFY((personCalled(school, rig.admin, "new1").classes == std::vector{rig.first, rig.second}));
         });
         QCOMPARE(support::faultsOf(rig.school().db), QString());
+    }
+
+    /// A database sorts by bytes, or as its server was set up. The lists are in the order of a directory on both
+    /// engines.
+    void namesAreInTheOrderOfADirectory_data() { support::addEngines(); }
+    void namesAreInTheOrderOfADirectory()
+    {
+        COPY_OF(support::populatedSchool, rig);
+        withRepositories(rig.school(), [&](const Repositories& school) {
+            int uid = 0;
+            for (const auto& [given, family] : {std::pair("Ali", "Yılmaz"),
+                                                {"Éva", "Çelik"},
+                                                {"Eve", "çelik"},
+                                                {"Bo", "Celik"},
+                                                {"Ada", "Öz"},
+                                                {"Ida", "de Boer"},
+                                                {"Ola", "Zander"},
+                                                {"Åse", "Oz"}})
+                VERIFY_DONE(school.people.add(rig.admin, {"n" + std::to_string(++uid), given, family, Role::Student},
+                                              {rig.first}));
+            for (const char* name : {"Zz10", "Zz2", "Žy", "zz1"})
+                VERIFY_DONE(school.classes.add(rig.admin, name));
+
+            const QStringList sorted{"Bo Celik", "Eve çelik", "Éva Çelik",  "Ida de Boer",
+                                     "Åse Oz",   "Ada Öz",    "Ali Yılmaz", "Ola Zander"};
+            QStringList people;
+            const auto all = school.people.list(rig.admin);
+            for (const Person& person : *all)
+                if (person.username.front() == 'n')
+                    people << QString::fromStdString(person.fullName());
+            QCOMPARE(people, sorted);
+            QStringList matrix;
+            const auto overview = school.classes.overview(rig.instructor, rig.first);
+            for (const MatrixStudent& student : overview->students)
+                if (student.username.front() == 'n')
+                    matrix << QString::fromStdString(student.fullName);
+            QCOMPARE(matrix, sorted);
+            QCOMPARE(overview->cells.size(), overview->students.size());
+
+            QStringList classes;
+            const auto listed = school.classes.list(rig.admin);
+            for (const SchoolClass& one : *listed)
+                classes << QString::fromStdString(one.name);
+            QCOMPARE(classes.filter(QRegularExpression("^[zZŽ]")), (QStringList{"Žy", "zz1", "Zz2", "Zz10"}));
+        });
     }
 
     void aPersonIsNotEnteredWithoutTheirClasses_data() { support::addEngines(); }

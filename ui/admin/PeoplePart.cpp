@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <QClipboard>
-#include <QCollator>
 #include <QComboBox>
 #include <QDateTime>
 #include <QFrame>
@@ -23,6 +22,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "database/NameOrder.h"
 #include "ui/admin/AdminWords.h"
 #include "ui/admin/PeopleModel.h"
 #include "ui/kit/FormInputs.h"
@@ -614,7 +614,7 @@ QString PeoplePart::unsavedChanges() const
         if (!one.isCopied)
             names << one.fullName;
     if (!names.isEmpty()) {
-        names.sort();
+        std::sort(names.begin(), names.end(), database::NameOrder());
         //: %1: a person, or several
         sentences << tr("%n one-time code(s) are shown under School, and kept nowhere else: %1.", nullptr,
                         static_cast<int>(names.size()))
@@ -755,13 +755,12 @@ void PeoplePart::fillClasses(const QSet<qint64>& wanted)
     const auto belongs = [&](const database::SchoolClass& one) {
         return wanted.contains(one.id.value) || (m_isTouched && one.name == m_classAdded);
     };
-    QCollator byName;
-    byName.setNumericMode(true);
+    const database::NameOrder byName;
     QList<database::SchoolClass> sorted = m_classes;
     std::sort(sorted.begin(), sorted.end(), [&](const database::SchoolClass& a, const database::SchoolClass& b) {
         if (belongs(a) != belongs(b))
             return belongs(a);
-        return byName.compare(QString::fromStdString(a.name), QString::fromStdString(b.name)) < 0;
+        return byName(a.name, b.name);
     });
     const QSignalBlocker quiet(m_classList);  // ignores ticks set by the program
     m_classList->clear();
