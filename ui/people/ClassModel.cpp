@@ -292,9 +292,7 @@ QVariant ClassModel::data(const QModelIndex& index, int role) const
             const std::string& last = m_overview.students[static_cast<std::size_t>(index.row())].lastAttemptUtc;
             return last.empty() ? QStringLiteral("–") : text::whenShort(last, m_now);
         }
-        // Rounds only a passing score. 74.9 of 75 required points must not appear as 75.
-        return one->attempts == 0 ? QStringLiteral("–")
-                                  : QLocale().toString((one->bestTenths + (one->passed ? 5 : 0)) / 10);
+        return one->attempts == 0 ? QStringLiteral("–") : text::points(one->bestTenths);
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
         return cellWords(index);

@@ -11,6 +11,7 @@
 #include "ui/people/ClassModel.h"
 #include "ui/report/Report.h"
 #include "ui/report/Sheet.h"
+#include "ui/text/Texts.h"
 
 namespace ui::report {
 namespace {
@@ -78,10 +79,11 @@ QString cellWords(const people::ClassModel& model, const QModelIndex& index)
     return words;
 }
 
-/// Returns the width of a lesson's column, in which no word of a title is cut.
+/// Returns the width of a lesson's column, in which no word of a title and no score is cut.
 double cellWidth(Sheet& sheet, const people::ClassModel& model, int lessons)
 {
-    double widest = kCellPt;
+    const QString score = text::points(::lessons::kFullTenths) + QStringLiteral(" ✓");
+    double widest = std::max(kCellPt, kCellGapPt + sheet.widthOf(score, kTextPt, QFont::DemiBold));
     for (int k = 0; k < lessons; ++k) {
         const QString title =
             model.headerData(people::ClassModel::kFirstLesson + k, Qt::Horizontal, Qt::DisplayRole).toString();

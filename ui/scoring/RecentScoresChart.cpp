@@ -46,12 +46,6 @@ QString RecentScoresChart::passMarkWords() const
     return tr("pass mark %1").arg(text::points(m_passMarkTenths));
 }
 
-/// Rounds a score to whole points. Never rounds a failing score up to the pass mark.
-int RecentScoresChart::wholePoints(int tenths) const
-{
-    return (tenths < m_passMarkTenths ? tenths : tenths + 5) / 10;
-}
-
 double RecentScoresChart::marginPx() const
 {
     return QFontMetricsF(kit::typeface(kit::kSmall)).horizontalAdvance(passMarkWords()) + 2.0 * kBarGapPx;
@@ -114,7 +108,7 @@ void RecentScoresChart::paintEvent(QPaintEvent*)
         painter.setPen(hatched ? QPen(fill, 1) : QPen(Qt::NoPen));
         painter.setBrush(QBrush(fill, hatched ? Qt::BDiagPattern : Qt::SolidPattern));
         painter.drawRect(hatched ? bar.adjusted(0.5, 0.5, -0.5, -0.5) : bar);
-        const QString number = QString::number(wholePoints(m_scores[k].tenths));
+        const QString number = text::points(m_scores[k].tenths);
         const double numberPx = painter.fontMetrics().height();
         if (painter.fontMetrics().horizontalAdvance(number) > step)  // would overlap the next number
             continue;

@@ -32,7 +32,6 @@ private:
     /// Returns the width of the text at the pass mark with its margins.
     [[nodiscard]] double marginPx() const;
     [[nodiscard]] double stepPx() const;
-    [[nodiscard]] int wholePoints(int tenths) const;
     [[nodiscard]] QString passMarkWords() const;
     [[nodiscard]] static QString words(const Score& score);
 
