@@ -181,6 +181,15 @@ core::Result<Assignment> workOut(const Lesson& lesson, std::shared_ptr<const cor
     return assignment;
 }
 
+/// Returns the area of opened pulp that costs no points, mm2. The rule of a lesson and its score then agree.
+double pulpLimitOf(const Rubric& rubric)
+{
+    for (const CriterionRule& rule : rubric.criteria)
+        if (rule.measure == "pulp_exposed_mm2" && rule.side == Side::Over)
+            return rule.target + rule.tolerance;
+    return core::grading::kPulpLimitMm2;
+}
+
 }  // namespace
 
 core::Result<core::teeth::BlockDesign> designOf(const Block& block)
@@ -340,7 +349,8 @@ core::session::Examination examinationOf(const Assignment& assignment)
         return examination;
     const Rules& rules = assignment.lesson->rules;
     core::grading::Rules& watched = examination.rules;
-    watched.pulpExposed = rules.pulpExposed;
+    if (rules.pulpExposed)
+        watched.pulpLimitMm2 = pulpLimitOf(assignment.lesson->rubric);
     watched.perforated = rules.perforated;
     watched.neighbours = assignment.neighbours;
     watched.depthLimitMm = rules.depthLimitMm;

@@ -9181,8 +9181,8 @@ ungesichert</translation>
         <translation>Tiefe der Spitze unter der ursprünglichen Oberfläche. Am Rand des Zahns wird kein Wert angezeigt, weil die senkrechte Tiefe dort wenig aussagt.</translation>
     </message>
     <message>
-        <source>Volume of removed pulp. The grade uses the exposed area, in mm².</source>
-        <translation>Abgetragenes Volumen der Pulpa. Die Bewertung verwendet die freigelegte Fläche in mm².</translation>
+        <source>Area of opened pulp, seen from above. The grade uses this figure.</source>
+        <translation>Fläche der eröffneten Pulpa, von oben gesehen. Die Bewertung verwendet diesen Wert.</translation>
     </message>
     <message>
         <source>N, %1 sideways</source>

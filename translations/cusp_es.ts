@@ -9181,8 +9181,8 @@ sin guardar</translation>
         <translation>Profundidad de la punta bajo la superficie original. En el borde del diente no se muestra ningún valor, porque allí la profundidad vertical dice poco.</translation>
     </message>
     <message>
-        <source>Volume of removed pulp. The grade uses the exposed area, in mm².</source>
-        <translation>Volumen de pulpa eliminado. La calificación usa el área expuesta, en mm².</translation>
+        <source>Area of opened pulp, seen from above. The grade uses this figure.</source>
+        <translation>Área de pulpa expuesta, vista desde arriba. La calificación usa este valor.</translation>
     </message>
     <message>
         <source>N, %1 sideways</source>

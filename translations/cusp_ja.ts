@@ -9122,8 +9122,8 @@ unsaved</source>
         <translation>除去量</translation>
     </message>
     <message>
-        <source>Volume of removed pulp. The grade uses the exposed area, in mm².</source>
-        <translation>除去した歯髄の体積です。採点では露出した面積（mm²）を見ます。</translation>
+        <source>Area of opened pulp, seen from above. The grade uses this figure.</source>
+        <translation>上から見た、露出した歯髄の面積です。採点ではこの値を使います。</translation>
     </message>
     <message>
         <source>Bur</source>

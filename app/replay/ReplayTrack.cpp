@@ -260,6 +260,7 @@ void ReplayTrack::publish(std::uint64_t tick)
     const core::history::Removed& removed = m_removed.of(m_shown);
     m_session.removedMm3 = removed.volumesMm3;
     m_session.overcutMm3 = removed.overcutMm3;
+    m_session.pulpExposedMm2 = removed.pulpExposedMm2;
     m_session.perforated = removed.perforated;
     m_session.recordedS = tick == m_player->ticks() ? m_lengthS : m_player->secondsAt(tick);
     m_links.session.publish(m_session);

@@ -25,6 +25,13 @@ namespace core::grading {
     return wasSolid(*tooth.anatomy, k) && endOf(tooth, k) < tooth.anatomy->top[k];
 }
 
+/// Returns the area of a column, seen from above, if a cut down to the height `end` opened its pulp; otherwise 0. mm2
+[[nodiscard]] inline double pulpExposedMm2(const terrain::ToothAnatomy& anatomy, std::size_t k, float end)
+{
+    const bool isOpen = end < anatomy.top[k] && terrain::hasPulp(anatomy, k) && end <= anatomy.layers[k].pulpRoof;
+    return isOpen ? static_cast<double>(anatomy.areaMm2[k]) : 0.0;
+}
+
 /// The decay left in a column; none if floor >= roof.
 struct Decay
 {

@@ -243,8 +243,8 @@ Measures measure(const Tooth& tooth, const IdealTop& ideal)
             mostOvercutMm3 = overcut;
             result.overcutNode = k;
         }
-        if (hasPulp(anatomy, k) && now <= column.pulpRoof) {
-            result.pulpExposedMm2 += area;
+        if (const double exposed = pulpExposedMm2(anatomy, k, now); exposed > 0.0) {
+            result.pulpExposedMm2 += exposed;
             if (const double in = static_cast<double>(column.pulpRoof) - static_cast<double>(now);
                 in > deepestInPulpMm) {
                 deepestInPulpMm = in;

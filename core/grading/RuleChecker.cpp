@@ -71,6 +71,8 @@ RuleChecker::RuleChecker(const Rules& rules, std::shared_ptr<const ToothAnatomy>
         m_besideMm = besideOf(*m_anatomy, *ideal);
     if (m_rules.ridgeLimitMm)
         m_ridgeMm = ridgeOf(*m_anatomy);
+    if (m_rules.pulpLimitMm2)
+        m_isPulpOpen.assign(m_anatomy->top.size(), 0);
 }
 
 void RuleChecker::find(RuleViolation breach, double value, double limit)
@@ -180,8 +182,8 @@ void RuleChecker::lookAtColumns(const cutting::CutRect& rect, const terrain::Too
             const float end = endOf(tooth, k);
             if (m_rules.perforated && !tooth.isSolid(k) && !standing(RuleViolation::Perforated))
                 m_mayBeHole = true;
-            if (m_rules.pulpExposed && terrain::hasPulp(*m_anatomy, k) && end <= m_anatomy->layers[k].pulpRoof)
-                find(RuleViolation::PulpExposed, 0.0, 0.0);
+            if (m_rules.pulpLimitMm2)
+                lookAtPulp(k, end);
             const float depth = m_anatomy->top[k] - end;
             if (!(depth > kScratchMm))
                 continue;
@@ -195,11 +197,23 @@ void RuleChecker::lookAtColumns(const cutting::CutRect& rect, const terrain::Too
     }
 }
 
+void RuleChecker::lookAtPulp(std::size_t k, float end)
+{
+    const double exposed = pulpExposedMm2(*m_anatomy, k, end);
+    if (exposed <= 0.0 || std::exchange(m_isPulpOpen[k], std::uint8_t{1}) != 0)
+        return;
+    m_pulpOpenMm2 += exposed;
+    if (m_pulpOpenMm2 > *m_rules.pulpLimitMm2)
+        find(RuleViolation::PulpExposed, 0.0, 0.0);
+}
+
 void RuleChecker::restored(const terrain::Tooth& tooth)
 {
     for (const RuleViolation mended : {RuleViolation::PulpExposed, RuleViolation::Perforated, RuleViolation::TooDeep,
                                        RuleViolation::RidgeCut, RuleViolation::WrongPlace})
         standing(mended) = false;
+    m_isPulpOpen.assign(m_isPulpOpen.size(), 0);
+    m_pulpOpenMm2 = 0.0;
     // Damage of the tooth before this state is not reported again.
     m_found.clear();
     lookAtColumns({0, 0, tooth.grid().side - 1, tooth.grid().side - 1}, tooth);

@@ -21,7 +21,7 @@ namespace core::grading {
 
 /// Rules that an attempt can break, the most severe first.
 enum class RuleViolation : std::uint8_t {
-    PulpExposed,   ///< a column was cut down to pulp
+    PulpExposed,   ///< more of the pulp was opened than the limit
     Perforated,    ///< a hole goes through the tooth that was not asked for
     TooDeep,       ///< deeper below the original surface than the limit
     RidgeCut,      ///< nearer to the mesial or distal surface than the limit
@@ -35,7 +35,7 @@ enum class RuleViolation : std::uint8_t {
 /// The rules that are checked, with their limits. Empty members are not checked.
 struct Rules
 {
-    bool pulpExposed = false;
+    std::optional<double> pulpLimitMm2;  ///< area of opened pulp, seen from above
     bool perforated = false;
     std::optional<double> depthLimitMm;
     std::optional<double> ridgeLimitMm;
@@ -63,6 +63,10 @@ struct Infraction
 /// better, and at a contact point the two teeth touch.
 inline constexpr double kGrazeMm = 0.1;
 
+/// Area of opened pulp from which on it counts if a rubric does not say otherwise, mm2. docs/scoring.md gives the
+/// reason.
+inline constexpr double kPulpLimitMm2 = 0.05;
+
 /// Time for which a force over the limit is tolerated: trembling is no error.
 inline constexpr std::chrono::milliseconds kForcePatience{200};
 
@@ -89,6 +93,7 @@ private:
 
     void lookBeside(const servo::ServoState& state);
     void lookAtColumns(const cutting::CutRect& rect, const terrain::Tooth& tooth);
+    void lookAtPulp(std::size_t k, float end);
     [[nodiscard]] bool hasHole(const terrain::Tooth& tooth) const;
     void find(RuleViolation breach, double value, double limit);
     [[nodiscard]] bool& standing(RuleViolation breach) { return m_standing[static_cast<std::size_t>(breach)]; }
@@ -98,6 +103,8 @@ private:
     IdealTop m_ideal;
     std::vector<float> m_besideMm;  ///< distance from the ideal cavity, [side * side]; empty: not checked
     std::vector<float> m_ridgeMm;   ///< distance along x to the nearer of mesial and distal outline; empty: not checked
+    std::vector<std::uint8_t> m_isPulpOpen;  ///< 1: the pulp of this column is open, [side * side]
+    double m_pulpOpenMm2 = 0.0;
     std::array<bool, kBreaches> m_standing{};
     std::vector<Infraction> m_found;
     Infraction m_now;  ///< time and place, set by look()

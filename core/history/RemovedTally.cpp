@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/grading/Columns.h"
 #include "core/grading/Measures.h"
 
 namespace core::history {
@@ -18,6 +19,7 @@ const Removed& RemovedTally::of(const TiledHeights& top)
     m_known.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
     m_removed.volumesMm3 = {};
     m_removed.overcutMm3 = 0.0;
+    m_removed.pulpExposedMm2 = 0.0;
     int columnsGone = 0;
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
@@ -27,6 +29,7 @@ const Removed& RemovedTally::of(const TiledHeights& top)
             for (std::size_t m = 0; m < known.removedMm3.size(); ++m)
                 m_removed.volumesMm3[m] += known.removedMm3[m];
             m_removed.overcutMm3 += known.overcutMm3;
+            m_removed.pulpExposedMm2 += known.pulpExposedMm2;
             columnsGone += known.columnsGone;
         }
     }
@@ -40,7 +43,7 @@ const Removed& RemovedTally::of(const TiledHeights& top)
 RemovedTally::Known RemovedTally::reckon(int tileX, int tileY, const std::shared_ptr<const Tile>& tile) const
 {
     const terrain::Grid& grid = m_anatomy->grid;
-    Known known{tile, {}, 0.0, 0};
+    Known known{tile};
     const int endI = std::min((tileX + 1) * kTileSide, grid.side);
     const int endJ = std::min((tileY + 1) * kTileSide, grid.side);
     for (int j = tileY * kTileSide; j < endJ; ++j) {
@@ -49,6 +52,7 @@ RemovedTally::Known RemovedTally::reckon(int tileX, int tileY, const std::shared
             const std::size_t k = grid.index(i, j);
             terrain::addRemoved(*m_anatomy, k, (*tile)[inTile], known.removedMm3);
             known.overcutMm3 += grading::overcutOf(*m_anatomy, k, (*tile)[inTile]);
+            known.pulpExposedMm2 += grading::pulpExposedMm2(*m_anatomy, k, (*tile)[inTile]);
             if ((*tile)[inTile] <= terrain::kEmptyTop && m_anatomy->top[k] > m_anatomy->bottom[k])
                 ++known.columnsGone;
         }

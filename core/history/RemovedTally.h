@@ -13,8 +13,9 @@ namespace core::history {
 struct Removed
 {
     terrain::PerMaterial volumesMm3{};
-    double overcutMm3 = 0.0;  ///< part of volumesMm3 that grading::Measures counts as overcut
-    bool perforated = false;  ///< there is a hole through the tooth
+    double overcutMm3 = 0.0;      ///< part of volumesMm3 that grading::Measures counts as overcut
+    double pulpExposedMm2 = 0.0;  ///< area of opened pulp, as in grading::Measures
+    bool perforated = false;      ///< there is a hole through the tooth
     bool operator==(const Removed&) const = default;
 };
 
@@ -36,6 +37,7 @@ private:
         std::shared_ptr<const Tile> tile;  ///< owned, so that no other tile can get its address
         terrain::PerMaterial removedMm3{};
         double overcutMm3 = 0.0;
+        double pulpExposedMm2 = 0.0;
         int columnsGone = 0;
     };
 

@@ -317,6 +317,7 @@ void SessionLoop::publish()
         const history::Removed& removed = m_removed.of(m_mirror);
         out.removedMm3 = removed.volumesMm3;
         out.overcutMm3 = removed.overcutMm3;
+        out.pulpExposedMm2 = removed.pulpExposedMm2;
         out.perforated = removed.perforated;
     }
     const bool isRecorded = m_recording && m_recordedGeneration == m_generation;

@@ -174,6 +174,21 @@ private slots:
         QVERIFY(!beginsWithOutline(free));
     }
 
+    void theRuleAboutThePulpHasTheLimitOfTheRubric()
+    {
+        const auto limitOf = [](const Assignment& assignment) { return examinationOf(assignment).rules.pulpLimitMm2; };
+        for (const char* id : {"class1-36", "decay-36-moderate", "exam-36-class1"})
+            QCOMPARE(limitOf(assigned(id)), std::optional(0.05));
+        QVERIFY(!limitOf(assigned("access-36")));  // the pulp has to be opened
+        Assignment own = assigned("class1-36");
+        for (CriterionRule& rule : own.lesson->rubric.criteria)
+            if (rule.measure == "pulp_exposed_mm2")
+                rule.tolerance = 0.0;
+        QCOMPARE(limitOf(own), std::optional(0.0));
+        own.lesson->rubric.criteria.clear();
+        QCOMPARE(limitOf(own), std::optional(core::grading::kPulpLimitMm2));
+    }
+
     void theDepthStopBeginsAtTheFloorThatIsCutFirst_data()
     {
         QTest::addColumn<double>("least");

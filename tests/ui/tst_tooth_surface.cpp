@@ -137,6 +137,49 @@ private slots:
         QVERIFY(surface.refresh().heights.isEmpty());
     }
 
+    /// One opened column is smaller than anything that can be seen; the point of blood around it is not.
+    void anOpenedPulpBleeds()
+    {
+        const auto tooth = support::syntheticMolar();
+        const core::terrain::Grid& grid = tooth->grid;
+        std::size_t opened = 0;
+        for (std::size_t k = 0; k < grid.count(); ++k)
+            if (hasPulp(*tooth, k) && (opened == 0 || tooth->layers[k].pulpRoof > tooth->layers[opened].pulpRoof))
+                opened = k;
+        const int side = grid.side;
+        const int i = static_cast<int>(opened) % side;
+        const int j = static_cast<int>(opened) / side;
+        ToothSurface surface(tooth, kLight);
+        const auto bleeding = [&] { return std::count(surface.blood().begin(), surface.blood().end(), 255); };
+        // The floor of a cavity, a hundredth of a millimetre above the pulp.
+        std::vector<float> top = tooth->top;
+        for (int y = j - 10; y <= j + 10; ++y)
+            for (int x = i - 10; x <= i + 10; ++x)
+                top[grid.index(x, y)] = tooth->layers[opened].pulpRoof + 0.01F;
+        surface.write(top);
+        QVERIFY(surface.refresh().blood.isEmpty());
+        QCOMPARE(bleeding(), 0);
+
+        top[opened] -= 0.01F;
+        surface.write(top);
+        QVERIFY(!surface.refresh().blood.isEmpty());
+        const double widthMm = 2.0 * static_cast<double>(ui::render::Bleeding::kReachMm);
+        QVERIFY(bleeding() > 1);
+        for (std::size_t k = 0; k < grid.count(); ++k) {
+            const auto distance =
+                glm::length(grid.nodeMm(static_cast<int>(k) % side, static_cast<int>(k) / side) - grid.nodeMm(i, j));
+            if (distance > 0.5 * widthMm)
+                QCOMPARE(surface.blood()[k], std::uint8_t{0});
+            else if (distance < 0.25 * widthMm)
+                QCOMPARE(surface.blood()[k], std::uint8_t{255});
+        }
+        // It goes with the opening.
+        surface.write(tooth->top);
+        QVERIFY(!surface.refresh().blood.isEmpty());
+        QCOMPARE(std::count(surface.blood().begin(), surface.blood().end(), 0),
+                 static_cast<std::ptrdiff_t>(grid.count()));
+    }
+
     void refreshedPartsEqualAWholeNewSurface()
     {
         // Cut by cut, the last one through the whole flank, compared with all cuts at once.

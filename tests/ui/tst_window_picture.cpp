@@ -105,9 +105,9 @@ private slots:
         SessionState session;
         session.toothGeneration = m_generation;
         const auto openPulp = [&](const core::servo::ServoState& servo) {
-            session.removedMm3[3] = 0.0;
+            session.pulpExposedMm2 = 0.0;
             take(servo, session);
-            session.removedMm3[3] = 0.01;
+            session.pulpExposedMm2 = 0.01;
             take(servo, session);
         };
         const auto burUnder = [&](const QWidget& overlay) {

@@ -302,7 +302,8 @@ private slots:
         servo.hasDepth = true;
         SessionState session;
         session.wholeMm3 = {20.0, 200.0, 250.0, 20.0};
-        session.removedMm3 = {5.0, 12.314, 4.0, 0.25};
+        session.removedMm3 = {5.0, 12.314, 4.0, 0.001};
+        session.pulpExposedMm2 = 0.058;
         session.overcutMm3 = 9.806;
         const auto areShown = [&](const QList<std::pair<const char*, const char*>>& figures) {
             take(servo, session);
@@ -315,7 +316,7 @@ private slots:
                   {"decayFigure", "75"},
                   {"enamelRemoved", "12.31"},
                   {"dentinRemoved", "4.00"},
-                  {"pulpRemoved", "0.25"},
+                  {"pulpRemoved", "0.06"},
                   {"overcut", "9.81"}});
         servo.hasDepth = false;
         areShown({{"forceFigure", "1.00"}, {"depthFigure", "–"}});
@@ -564,8 +565,8 @@ private slots:
         SessionState session;
         session.toothGeneration = m_generation;
         session.removedMm3[1] = 3.0;
-        const auto told = [&](double pulpMm3, bool perforated) {
-            session.removedMm3[3] = pulpMm3;
+        const auto told = [&](double pulpMm2, bool perforated) {
+            session.pulpExposedMm2 = pulpMm2;
             session.perforated = perforated;
             take({}, session);
             return notice->isVisible() ? notice->text() : QString();

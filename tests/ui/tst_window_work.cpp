@@ -413,7 +413,7 @@ private slots:
             SessionState session;
             session.toothGeneration = m_generation;
             take({}, session);
-            session.removedMm3[static_cast<std::size_t>(Material::Pulp)] = 0.5;
+            session.pulpExposedMm2 = 0.5;
             take({}, session);
             QStringList told;
             for (const int y : {12, 12 + 32})

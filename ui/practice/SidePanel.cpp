@@ -216,7 +216,7 @@ void SidePanel::retranslateUi()
                                 "No value is shown above one millimetre.")));
     m_removedWords->setText(tr("Removed"));
     m_removed.at(at(Material::Pulp))
-        ->setToolTip(kit::brokenIntoLines(tr("Volume of removed pulp. The grade uses the exposed area, in mm².")));
+        ->setToolTip(kit::brokenIntoLines(tr("Area of opened pulp, seen from above. The grade uses this figure.")));
     m_burWords->setText(tr("Bur"));
     m_rpm->setToolTip(
         kit::brokenIntoLines(tr("Speed of the bur in revolutions per minute. Load slows it down until it stalls")));
@@ -367,14 +367,16 @@ void SidePanel::setFigures(const core::servo::ServoState& servo, const core::ses
     } else {
         setFigure(m_decay, dash(), {}, quiet);
     }
-    for (const Material material : {Material::Enamel, Material::Dentin, Material::Pulp}) {
+    for (const Material material : {Material::Enamel, Material::Dentin}) {
         double removed = session.removedMm3.at(at(material));
         if (m_isBlock && material == Material::Enamel)
             removed += session.removedMm3.at(at(Material::Dentin));
-        kit::TabularDigitsLabel* value = m_removed.at(at(material));
-        value->setText(text::number(removed, 2), QStringLiteral("mm³"));
-        value->setColour(material == Material::Pulp && removed > 0.0 ? tone.harmText : QColor());
+        m_removed.at(at(material))->setText(text::number(removed, 2), QStringLiteral("mm³"));
     }
+    // The grade counts the area. A small opening has an area long before its volume is 0.01 mm³.
+    kit::TabularDigitsLabel* pulp = m_removed.at(at(Material::Pulp));
+    pulp->setText(text::number(session.pulpExposedMm2, 2), QStringLiteral("mm²"));
+    pulp->setColour(session.pulpExposedMm2 > 0.0 ? tone.harmText : QColor());
     if (m_target == ShownTarget::Decay)
         m_overcut->setText(text::number(session.overcutMm3, 2), QStringLiteral("mm³"));
 

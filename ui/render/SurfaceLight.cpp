@@ -30,7 +30,7 @@ constexpr float kUpright = 1.0e-4F;  ///< horizontal part of the direction of a 
 /// Depth below the whole surface at which a spot counts as cut, mm.
 constexpr float kCutFromMm = 0.01F;
 constexpr float kCutFullMm = 0.06F;
-constexpr int kBlur = 3;            ///< range over which light is averaged, nodes
+constexpr int kLightBlur = 3;       ///< range over which light is averaged, nodes
 constexpr float kFreeFull = 0.25F;  ///< z of a flank's normal up to which the flank sees the whole sky
 constexpr float kFreeNone = 0.6F;
 constexpr glm::vec4 kFreeLight(1.0F, 1.0F, 0.0F, 0.5F);
@@ -79,7 +79,7 @@ NodeRect SurfaceLight::shine(const LitMaps& maps, const NodeRect& rect)
 {
     // Computes raw values on solid nodes. Then every node, rim nodes included, gets the average of the solid nodes
     // around it.
-    const NodeRect raw = core::terrain::grown(rect, kBlur, m_lattice);
+    const NodeRect raw = core::terrain::grown(rect, kLightBlur, m_lattice);
     for (int j = raw.beginJ; j < raw.endJ; ++j)
         for (int i = raw.beginI; i < raw.endI; ++i)
             if (isSolid(maps, i, j))
@@ -194,12 +194,12 @@ glm::vec4 SurfaceLight::meanAround(const LitMaps& maps, int i, int j) const
     const glm::vec3 normal = maps.normals[m_lattice.index(i, j)];
     glm::vec4 sum{0.0F};
     float weights = 0.0F;
-    for (int dj = -kBlur; dj <= kBlur; ++dj) {
-        for (int di = -kBlur; di <= kBlur; ++di) {
+    for (int dj = -kLightBlur; dj <= kLightBlur; ++dj) {
+        for (int di = -kLightBlur; di <= kLightBlur; ++di) {
             if (!m_lattice.contains(i + di, j + dj) || !isSolid(maps, i + di, j + dj))
                 continue;
             const std::size_t n = m_lattice.index(i + di, j + dj);
-            auto weight = static_cast<float>((kBlur + 1 - std::abs(di)) * (kBlur + 1 - std::abs(dj)));
+            auto weight = static_cast<float>((kLightBlur + 1 - std::abs(di)) * (kLightBlur + 1 - std::abs(dj)));
             if (flank)
                 weight *= std::max(glm::dot(normal, maps.normals[n]), 0.01F);
             sum += weight * m_raw[n];

@@ -86,6 +86,7 @@ void ToothMaps::setSurface(const ToothSurface& surface)
         make(m_upperLayers, QOpenGLTexture::RGBA32F, 16);
         make(m_lowerLayers, QOpenGLTexture::RGBA32F, 16);
         make(m_ideal, QOpenGLTexture::RG32F, 8);
+        make(m_blood, QOpenGLTexture::R8_UNorm, 1);
     }
     m_lattice = lattice;
     m_hasDecayZones = surface.anatomy().hasDecayZones;
@@ -102,6 +103,7 @@ void ToothMaps::setSurface(const ToothSurface& surface)
     writeHeights(surface, all);
     writeNormals(surface, all);
     writeLight(surface, all);
+    writeBlood(surface, all);
     m_tiles.assign(surface.indexCounts().size(), {});
     measureTiles(surface, all);
 }
@@ -131,13 +133,15 @@ void ToothMaps::update(const ToothSurface& surface, const ToothSurface::Changes&
         writeNormals(surface, changes.normals);
     if (!changes.light.isEmpty())
         writeLight(surface, changes.light);
+    if (!changes.blood.isEmpty())
+        writeBlood(surface, changes.blood);
 }
 
 void ToothMaps::write(Map& map, const void* nodes, QOpenGLTexture::PixelFormat format, QOpenGLTexture::PixelType type,
                       const core::terrain::NodeRect& rect)
 {
     QOpenGLPixelTransferOptions rows;
-    rows.setAlignment(4);
+    rows.setAlignment(1);
     rows.setRowLength(m_lattice->side);
     const auto first = static_cast<std::ptrdiff_t>(m_lattice->index(rect.beginI, rect.beginJ)) * map.bytesPerNode;
     map.texture->setData(rect.beginI, rect.beginJ, 0, rect.endI - rect.beginI, rect.endJ - rect.beginJ, 1, format, type,
@@ -168,6 +172,11 @@ void ToothMaps::writeNormals(const ToothSurface& surface, const core::terrain::N
 void ToothMaps::writeLight(const ToothSurface& surface, const core::terrain::NodeRect& rect)
 {
     write(m_light, surface.light().data(), QOpenGLTexture::RGBA, QOpenGLTexture::UInt8, rect);
+}
+
+void ToothMaps::writeBlood(const ToothSurface& surface, const core::terrain::NodeRect& rect)
+{
+    write(m_blood, surface.blood().data(), QOpenGLTexture::Red, QOpenGLTexture::UInt8, rect);
 }
 
 TileBounds ToothMaps::boundsOf(const ToothSurface& surface, std::size_t tile, Side side)
@@ -283,13 +292,14 @@ ToothMaps::Selection ToothMaps::select(Side side, const std::function<bool(const
 void ToothMaps::bind(QOpenGLShaderProgram& program, Side side)
 {
     const bool upper = side == Side::Upper;
-    const std::array<std::pair<const char*, Map*>, 7> maps{{{"places", &m_places},
+    const std::array<std::pair<const char*, Map*>, 8> maps{{{"places", &m_places},
                                                             {"heights", upper ? &m_tops : &m_bottoms},
                                                             {"normals", upper ? &m_topNormals : &m_bottomNormals},
                                                             {"light", &m_light},
                                                             {"upperLayers", &m_upperLayers},
                                                             {"lowerLayers", &m_lowerLayers},
-                                                            {"ideal", &m_ideal}}};
+                                                            {"ideal", &m_ideal},
+                                                            {"blood", &m_blood}}};
     for (std::size_t unit = 0; unit < maps.size(); ++unit) {
         maps[unit].second->texture->bind(static_cast<uint>(unit));
         program.setUniformValue(maps[unit].first, static_cast<int>(unit));

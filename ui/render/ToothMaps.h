@@ -110,6 +110,7 @@ private:
     void writeHeights(const ToothSurface& surface, const core::terrain::NodeRect& rect);
     void writeNormals(const ToothSurface& surface, const core::terrain::NodeRect& rect);
     void writeLight(const ToothSurface& surface, const core::terrain::NodeRect& rect);
+    void writeBlood(const ToothSurface& surface, const core::terrain::NodeRect& rect);
     void writeIdeal(const ToothSurface& surface);
     [[nodiscard]] static TileBounds boundsOf(const ToothSurface& surface, std::size_t tile, Side side);
     void measureTiles(const ToothSurface& surface, const core::terrain::NodeRect& rect);
@@ -125,6 +126,7 @@ private:
     Map m_upperLayers;
     Map m_lowerLayers;
     Map m_ideal;
+    Map m_blood;
     std::optional<core::terrain::Grid> m_lattice;
     bool m_hasDecayZones = false;
     int m_tilesPerSide = 0;

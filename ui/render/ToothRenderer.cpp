@@ -149,7 +149,7 @@ void ToothRenderer::spoilStills(const ToothSurface::Changes& changes)
         if (!still.view())
             continue;
         const glm::dmat4 clipFromTooth = still.view()->clipFromEye * still.view()->eyeFromTooth;
-        for (const core::terrain::NodeRect& rect : {changes.heights, changes.normals, changes.light})
+        for (const core::terrain::NodeRect& rect : {changes.heights, changes.normals, changes.light, changes.blood})
             if (!rect.isEmpty())
                 still.spoil(pixelsOf(m_maps.boxOf(rect), clipFromTooth, still.size()));
     }

@@ -79,6 +79,7 @@ void ToothSurface::takeAnatomy()
     const std::size_t count = m_lattice.count();
     m_wholeTop.resize(count);
     m_wholeBottom.resize(count);
+    std::vector<float> pulpRoofs(count);
     m_lowestMm = glm::dvec3(1.0e9);
     m_highestMm = glm::dvec3(-1.0e9);
     for (int j = 0; j < m_lattice.side; ++j) {
@@ -87,6 +88,7 @@ void ToothSurface::takeAnatomy()
             const std::size_t to = m_lattice.index(i, j);
             m_wholeTop[to] = m_anatomy->top[from];
             m_wholeBottom[to] = m_anatomy->bottom[from];
+            pulpRoofs[to] = hasPulp(*m_anatomy, from) ? m_anatomy->layers[from].pulpRoof : kEmptyTop;
             if (m_wholeTop[to] > m_wholeBottom[to]) {
                 const glm::dvec2 place = m_lattice.nodeMm(i, j);
                 m_lowestMm = glm::min(m_lowestMm, glm::dvec3(place, m_wholeBottom[to]));
@@ -99,6 +101,7 @@ void ToothSurface::takeAnatomy()
         m_highestMm = glm::dvec3(1.0);
     }
     m_top = m_wholeTop;
+    m_bleeding.emplace(m_lattice, m_wholeTop, std::move(pulpRoofs));
     m_nodes.assign(count, Node::Empty);
     m_solidTop.assign(count, kEmptyTop);
     m_solidBottom.assign(count, kEmptyBottom);
@@ -351,7 +354,7 @@ std::size_t ToothSurface::Changes::bytes() const
                static_cast<std::size_t>(std::max(0, rect.endJ - rect.beginJ));
     };
     return nodes(heights) * (2 * sizeof(float) + sizeof(glm::vec2)) + nodes(normals) * 2 * sizeof(PackedNormal) +
-           nodes(light) * sizeof(Light);
+           nodes(light) * sizeof(Light) + nodes(blood);
 }
 
 ToothSurface::Changes ToothSurface::refresh(bool hurried)
@@ -364,6 +367,7 @@ ToothSurface::Changes ToothSurface::refresh(bool hurried)
     if (!m_written.isEmpty()) {
         sew(m_written);
         changes.heights = grown(m_written, SteepGround::kReach, m_lattice);
+        changes.blood = m_bleeding->update(m_top, m_written);
         m_steep->draw(m_risen, changes.heights, m_drawnBottom, m_shifts);
         m_steep->draw(m_solidTop, changes.heights, m_drawnTop, m_shifts);
         smoothRim(changes.heights);

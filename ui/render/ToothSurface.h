@@ -15,6 +15,7 @@
 #include "core/servo/ServoState.h"
 #include "core/terrain/NodeRect.h"
 #include "core/terrain/Tooth.h"
+#include "ui/render/Bleeding.h"
 #include "ui/render/Flanks.h"
 #include "ui/render/SteepGround.h"
 #include "ui/render/SurfaceLight.h"
@@ -53,6 +54,7 @@ public:
         core::terrain::NodeRect heights;  ///< heights and positions
         core::terrain::NodeRect normals;
         core::terrain::NodeRect light;
+        core::terrain::NodeRect blood;
         std::vector<Stretch> triangles;
 
         /// Returns the size in bytes of these rectangles in all their maps, without the triangles.
@@ -139,6 +141,8 @@ public:
     /// node from its outline, which is negative inside and at most kOutlineFarMm.
     [[nodiscard]] const std::vector<glm::vec2>& ideal() const { return m_ideal; }
     static constexpr float kOutlineFarMm = 0.4F;
+    /// Blood of an opened pulp on each node, 0 to 255.
+    [[nodiscard]] const std::vector<std::uint8_t>& blood() const { return m_bleeding->nodes(); }
     /// Returns the number of tiles on a side. The triangles of the upper surface are stored tile by tile; the lower
     /// surface has the same triangles with opposite orientation.
     [[nodiscard]] int tilesPerSide() const { return m_tilesPerSide; }
@@ -209,6 +213,7 @@ private:
     std::vector<PackedNormal> m_topNormals;
     std::vector<PackedNormal> m_bottomNormals;
     std::optional<SurfaceLight> m_light;
+    std::optional<Bleeding> m_bleeding;
     std::vector<glm::vec4> m_upperLayers;
     std::vector<glm::vec4> m_lowerLayers;
     std::vector<glm::vec2> m_ideal;

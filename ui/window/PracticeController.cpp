@@ -125,9 +125,7 @@ void PracticeController::showHarm(const core::session::SessionState& now)
     const core::session::SessionState& before = m_state.session;
     if (now.toothGeneration != before.toothGeneration || inLesson)
         return;
-    const auto isOpen = [](const core::session::SessionState& state) {
-        return state.removedMm3.at(static_cast<std::size_t>(core::terrain::Material::Pulp)) > 0.0;
-    };
+    const auto isOpen = [](const core::session::SessionState& state) { return state.pulpExposedMm2 > 0.0; };
     const QString toDo = m_state.isReplaying ? QString() : tr("You can undo the stroke.");
     if (now.perforated && !before.perforated)
         m_room.showNotice(tr("Tooth perforated"), toDo);

@@ -58,7 +58,7 @@ private slots:
 
     void tellsPulpOnceUntilItIsMended()
     {
-        watch(&Rules::pulpExposed, true);
+        watch(&Rules::pulpLimitMm2, 0.0);
         std::size_t k = 0;
         while (!terrain::hasPulp(*m_anatomy, k))
             ++k;
@@ -77,6 +77,38 @@ private slots:
         m_tooth.emplace(m_anatomy);
         m_referee->restored(*m_tooth);
         QVERIFY(isOne(cut(i, j, toRoof + 0.01F), RuleViolation::PulpExposed));
+    }
+
+    void anOpenedPulpCountsFromItsLimit()
+    {
+        watch(&Rules::pulpLimitMm2, kPulpLimitMm2);
+        const auto open = [this](std::size_t k) {
+            const int side = m_anatomy->grid.side;
+            return cut(static_cast<int>(k) % side, static_cast<int>(k) / side,
+                       m_anatomy->top[k] - m_anatomy->layers[k].pulpRoof + 0.01F);
+        };
+        const auto openUpToTheLimit = [&] {
+            double openMm2 = 0.0;
+            std::size_t k = 0;
+            for (;; ++k) {
+                if (!terrain::hasPulp(*m_anatomy, k))
+                    continue;
+                const double area = static_cast<double>(m_anatomy->areaMm2[k]);
+                if (openMm2 + area > kPulpLimitMm2)
+                    return k;
+                openMm2 += area;
+                if (!open(k).empty() || !open(k).empty())  // a column that is cut again counts once
+                    return std::size_t{0};
+            }
+        };
+        const std::size_t next = openUpToTheLimit();
+        QVERIFY(next > 0);
+        QVERIFY(isOne(open(next), RuleViolation::PulpExposed));
+        m_tooth.emplace(m_anatomy);
+        m_referee->restored(*m_tooth);
+        QCOMPARE(openUpToTheLimit(), next);
+        m_referee->restored(*m_tooth);
+        QVERIFY(isOne(open(next), RuleViolation::PulpExposed));
     }
 
     void tellsDepthAtItsLimit()

@@ -7,6 +7,7 @@ in vec4 shadeHere;    // openness to the sky, operating light, cut, crevice
 in float cutMm;       // depth below the uncut surface
 in float tooDeepMm;   // depth below the ideal surface
 in float enamelHere;  // enamel above the dentin, mm; on flanks more accurate than the map
+in float bloodHere;   // of an opened pulp, 1 where it covers the surface
 in vec2 onLattice;
 uniform sampler2D upperLayers;  // roof and floor of the decay, dentin, roof of the pulp; heights in mm
 uniform sampler2D lowerLayers;  // floor of the pulp, mm; share of decayed columns around; uncut, mm; share of open ones
@@ -35,6 +36,7 @@ const vec3 kLeatheryDecay = vec3(0.17, 0.075, 0.028);
 const vec3 kFirmDecay = vec3(0.48, 0.29, 0.12);
 const vec3 kDecayEdge = vec3(0.36, 0.19, 0.07);
 const vec3 kPulp = vec3(0.68, 0.13, 0.14);
+const vec3 kBlood = vec3(0.42, 0.012, 0.016);
 
 // Screen colours, as the ideal is drawn in the section.
 const vec3 kOutline = vec3(1.0, 0.82, 0.25);
@@ -108,6 +110,9 @@ void main()
         scale = mix(scale, vec3(0.72, 0.14, 0.03), smoothstep(0.5, 1.0, deep));
         base = mix(vec3(0.34), scale, facing > 0.0 ? told : 0.0);
     }
+    // Blood lies on any material and on any colours.
+    float blood = smoothstep(0.1, 0.6, bloodHere);
+    base = mix(base, distinct ? mix(vec3(0.58, 0.19, 0.38), vec3(0.93, 0.60, 0.78), dots(positionMm)) : kBlood, blood);
     float hard = (1.0 - inDecay) * (1.0 - inPulp) * isEnamel;
 
     // Fissures are slightly stained, and receive less light than the sky map shows.
@@ -136,7 +141,7 @@ void main()
     lit += base * base * ((1.0 - open) * 0.10 + (1.0 - shade.g) * 0.10) * vec3(1.0, 0.90, 0.74);
 
     // Gloss: polished enamel, frosted where cut; matt dentin.
-    float polish = max(hard * (1.0 - 0.85 * cut) * (1.0 - stain), 0.9 * wet);
+    float polish = max(hard * (1.0 - 0.85 * cut) * (1.0 - stain), 0.9 * max(wet, blood));
     vec3 halfLamp = normalize(towardsLight + towardsEye);
     // Powers of two by squaring, because pow() takes a software driver ten times as long.
     float glance = max(dot(normal, halfLamp), 0.0);

@@ -10,6 +10,7 @@ uniform sampler2D upperLayers;  // only z is used: the dentin, mm
 uniform sampler2D lowerLayers;  // only z is used: the uncut surface, mm
 uniform sampler2D ideal;    // only x is used: depth of the ideal surface below the uncut one, mm
 uniform sampler2D light;    // openness to the sky, operating light, cut, crevice
+uniform sampler2D blood;    // of an opened pulp, 1 where it covers the surface
 uniform vec4 clipPlane;     // clip plane of the mirror, tooth frame; zero: no clipping
 uniform float facing;       // 1 upper surface, -1 lower
 uniform vec3 lattice;       // x, y of the first node, mm; nodes per mm
@@ -21,6 +22,7 @@ out vec4 shadeHere;
 out float cutMm;     // depth below the uncut surface
 out float tooDeepMm;  // depth below the ideal surface
 out float enamelHere;  // enamel above the dentin of this column, mm
+out float bloodHere;  // on the upper surface
 out vec2 onLattice;  // texture coordinates of this column's layers
 
 void main()
@@ -38,6 +40,7 @@ void main()
     // The light map is that of the upper surface.
     if (facing < 0.0)
         shadeHere = mix(vec4(1.0, 1.0, 0.0, 0.5), vec4(0.8, 0.6, 0.0, 0.5), smoothstep(0.0, 0.8, -normalHere.z));
+    bloodHere = facing > 0.0 ? texelFetch(blood, node, 0).r : 0.0;
     onLattice = ((placeMm - lattice.xy) * lattice.z + 0.5) / float(side);
     gl_ClipDistance[0] = dot(clipPlane, vec4(positionMm, 1.0));
     gl_Position = clipFromTooth * vec4(positionMm, 1.0);
