@@ -58,7 +58,23 @@ std::string otherKind(std::string_view bytes, MeshFormat format)
     if (bytes.starts_with("PK\x03\x04"))
         return "is a ZIP archive; unpack it first";
     using namespace std::string_view_literals;
-    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF") || bytes.starts_with("s\0o\0l\0i\0d\0"sv))
+    for (const std::string_view archive : {"BZh"sv,
+                                           "\xFD"
+                                           "7zXZ\0"sv,
+                                           "\x28\xB5\x2F\xFD"sv, "7z\xBC\xAF\x27\x1C"sv, "Rar!\x1A\x07"sv})
+        if (bytes.starts_with(archive))
+            return "is an archive; unpack it first";
+    for (const std::string_view other : {"%PDF"sv, "\x89PNG"sv, "\xFF\xD8\xFF"sv, "glTF"sv})
+        if (bytes.starts_with(other))
+            return "is no mesh but a document, a picture or a scene; export the mesh as OBJ, STL or PLY";
+    // Text in UTF-16 without a mark: every second byte is 0.
+    const auto isLetter = [](char c) { return c >= ' ' && c <= '~'; };
+    const auto isWideFrom = [&](std::size_t zero) {
+        return bytes.size() >= 4 && bytes[zero] == '\0' && bytes[zero + 2] == '\0' && isLetter(bytes[1 - zero]) &&
+               isLetter(bytes[3 - zero]);
+    };
+    const bool isWide = isWideFrom(0) || isWideFrom(1);
+    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF") || isWide)
         return "is text in UTF-16; save it as plain text (ASCII or UTF-8)";
     const bool isPly = bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
     if (isPly && format != MeshFormat::Ply)

@@ -21,11 +21,13 @@ namespace {
 constexpr std::array<std::string_view, 6> kAxisNames{"+x", "-x", "+y", "-y", "+z", "-z"};
 
 // A human tooth with its roots is 18 to 32 mm long, a crown 5 to 14 mm wide (reference values of Wheeler). The limits
-// span a decade around that, so that mm, cm and m neither overlap nor leave a gap. Inches overlap with cm: they are
-// guessed where a size in cm would be less than a crown's.
+// span a decade around that, so that mm, cm and m neither overlap nor leave a gap. Inches overlap with cm;
+// suitsInches() decides between the two.
 constexpr double kLeastSizeMm = 4.0;
 constexpr double kMostSizeMm = 40.0;
 constexpr double kLeastCentimetresMm = 8.0;
+constexpr double kLeastWidthMm = 5.0;
+constexpr double kMostWidthMm = 15.0;
 constexpr double kMmPerInch = 25.4;
 // A direction that deviates from all axes of the file by more than this is not taken for an axis: sin(20 degrees).
 constexpr double kAskew = 0.342;
@@ -52,41 +54,69 @@ double largest(const glm::dvec3& v)
     return std::max({v.x, v.y, v.z});
 }
 
-LengthUnit guessUnit(double size, std::string& reason, std::vector<std::string>& warnings)
+/// The longest and the second longest side of the box around a mesh.
+struct Sides
 {
-    struct Candidate
+    double longest = 0.0;
+    double second = 0.0;
+
+    [[nodiscard]] bool fit(const LengthUnit& unit) const
     {
-        LengthUnit unit;
-        double leastMm;
-        double mostMm;
-    };
-    const double mostInchesMm = kLeastCentimetresMm / 10.0 * kMmPerInch;
-    const std::array<Candidate, 4> known{{{{"mm", 1.0}, kLeastSizeMm, kMostSizeMm},
-                                          {{"cm", 10.0}, kLeastCentimetresMm, kMostSizeMm},
-                                          {{"in", kMmPerInch}, kLeastSizeMm, mostInchesMm},
-                                          {{"m", 1000.0}, kLeastSizeMm, kMostSizeMm}}};
-    for (const auto& [unit, leastMm, mostMm] : known) {
-        const double sizeMm = size * unit.mmPerUnit;
-        if (sizeMm < leastMm || sizeMm >= mostMm)
+        const double longestMm = longest * unit.mmPerUnit;
+        return longestMm >= kLeastSizeMm && longestMm < kMostSizeMm;
+    }
+};
+
+Sides sidesOf(const glm::dvec3& size)
+{
+    std::array<double, 3> sides{size.x, size.y, size.z};
+    std::sort(sides.begin(), sides.end());
+    return {sides[2], sides[1]};
+}
+
+/// Returns whether inches suit a mesh better than centimetres. A tooth in inches has the length of a crown in
+/// centimetres, so that the width decides: it would be less than that of a tooth in cm, or more in inches.
+bool suitsInches(const Sides& sides)
+{
+    if (!sides.fit({"in", kMmPerInch}) || sides.second * kMmPerInch > kMostWidthMm)
+        return false;
+    return sides.longest * 10.0 < kLeastCentimetresMm || sides.second * 10.0 < kLeastWidthMm;
+}
+
+LengthUnit guessUnit(const Sides& sides, std::string& reason, std::vector<std::string>& warnings)
+{
+    const double size = sides.longest;
+    const std::array<LengthUnit, 4> known{{{"mm", 1.0}, {"cm", 10.0}, {"in", kMmPerInch}, {"m", 1000.0}}};
+    const bool isInches = suitsInches(sides);
+    for (const LengthUnit& unit : known) {
+        if (!sides.fit(unit) || (unit.name == "cm" && isInches))
             continue;
         reason = "guessed: the longest side of " + inWords(size) + " units is a tooth's size in " + unit.name;
-        if (unit.name != "mm")
-            warnings.push_back("the file states no unit and " + unit.name + " was guessed (" + inWords(unit.mmPerUnit) +
-                               " mm a unit, longest side " + inWords(sizeMm) + " mm); give --unit if you know better");
+        if (unit.name == "mm")
+            return unit;
+        std::string rival;
+        if (unit.name == "cm" && sides.fit(known[2]))
+            rival = ", as inches it would be " + inWords(size * kMmPerInch) + " mm";
+        else if (unit.name == "in" && sides.fit(known[1]))
+            rival = ", as cm it would be " + inWords(size * 10.0) + " mm";
+        warnings.push_back("the file states no unit and " + unit.name + " was guessed (" + inWords(unit.mmPerUnit) +
+                           " mm a unit, longest side " + inWords(size * unit.mmPerUnit) + " mm" + rival +
+                           "); give --unit if you know better");
         return unit;
     }
     if (size >= kMostSizeMm && size < kMostGivenMm) {
-        reason = "guessed: " + inWords(size) + " units are too large for a tooth in mm and far too large in cm or m";
+        reason =
+            "guessed: " + inWords(size) + " units are too large for a tooth in mm and far too large in cm, in or m";
         warnings.push_back("mm was guessed, and then the longest side of " + inWords(size) +
                            " mm is more than a tooth has; give --unit, or cut one tooth out of the scan");
-        return known[0].unit;
+        return known[0];
     }
     LengthUnit fitted{"", 20.0 / size};
     fitted.name = inWords(fitted.mmPerUnit);
-    reason =
-        "guessed: " + inWords(size) + " units is no tooth's size in mm, cm or m, so the longest side was made 20 mm";
+    reason = "guessed: " + inWords(size) +
+             " units is no tooth's size in mm, cm, in or m, so the longest side was made 20 mm";
     warnings.push_back("the unit is unknown: " + inWords(size) +
-                       " units is no tooth's size in mm, cm or m, so the longest side was made 20 mm; give --unit");
+                       " units is no tooth's size in mm, cm, in or m, so the longest side was made 20 mm; give --unit");
     return fitted;
 }
 
@@ -313,10 +343,11 @@ Result<LengthUnit> parseUnit(std::string_view text)
 {
     for (const LengthUnit& unit :
          {LengthUnit{"mm", 1.0}, LengthUnit{"cm", 10.0}, LengthUnit{"m", 1000.0}, LengthUnit{"in", kMmPerInch}})
-        if (text == unit.name)
+        if (equalsIgnoringCase(text, unit.name))
             return unit;
-    if (text == "inch")
-        return LengthUnit{"in", kMmPerInch};
+    for (const std::string_view inches : {"inch", "inches"})
+        if (equalsIgnoringCase(text, inches))
+            return LengthUnit{"in", kMmPerInch};
     double value = 0.0;
     const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (failure != std::errc() || stop != text.data() + text.size() || text.empty() || !std::isfinite(value) ||
@@ -336,7 +367,9 @@ Result<Placement> findPlacement(const TriangleMesh& mesh, const MeshFacts& facts
         placement.unitReason = placement.upReason = "the file's own frame was kept";
     } else {
         placement.unitReason = placement.upReason = "given";
-        placement.unit = options.unit ? *options.unit : guessUnit(size, placement.unitReason, placement.warnings);
+        placement.unit = options.unit
+                             ? *options.unit
+                             : guessUnit(sidesOf(facts.high - facts.low), placement.unitReason, placement.warnings);
         placement.unitDoubtful = !placement.warnings.empty();
         const std::size_t before = placement.warnings.size();
         placement.up = options.up ? *options.up : guessUp(mesh, facts, placement.upReason, placement.warnings);

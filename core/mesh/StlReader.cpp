@@ -107,16 +107,19 @@ public:
     /// Skips a name: the rest of the line, or up to the next facet where a file has no lines.
     void skipName()
     {
-        for (;;) {
-            while (m_at < m_text.size() && isBlank(m_text[m_at]) && m_text[m_at] != '\r')
-                ++m_at;
-            if (m_at == m_text.size() || m_text[m_at] == '\r' || m_text[m_at] == '\n')
-                return;
+        while (m_at < m_text.size() && m_text[m_at] != '\n' && m_text[m_at] != '\r') {
             const std::size_t begin = m_at;
-            const std::string_view word = take();
+            while (m_at < m_text.size() && !separates(m_text[m_at]))
+                ++m_at;
+            if (m_at == begin) {
+                ++m_at;  // a blank, or a NUL behind the name
+                continue;
+            }
+            if (!equalsIgnoringCase(m_text.substr(begin, m_at - begin), "facet"))
+                continue;
             const std::size_t end = m_at;
             const std::size_t line = m_line;
-            const bool isFacet = equalsIgnoringCase(word, "facet") && equalsIgnoringCase(take(), "normal");
+            const bool isFacet = equalsIgnoringCase(take(), "normal");
             m_at = isFacet ? begin : end;
             m_line = line;
             if (isFacet)
@@ -178,6 +181,8 @@ private:
         } else if (equalsIgnoringCase(word, "solid")) {
             m_hasEnded = false;
             m_words.skipName();
+        } else if (!ends && equalsIgnoringCase(word, "facet")) {
+            m_hasEnded = false;  // a file without lines hides the next "solid" in a name
         } else if (equalsIgnoringCase(word, ends ? "facet" : "endfacet")) {
             if (m_corner != 3)
                 return failure(ErrorCode::BadStructure, "a facet with fewer than three corners");

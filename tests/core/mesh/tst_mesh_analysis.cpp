@@ -41,7 +41,7 @@ bool close(double a, double b, double relative)
 TriangleMesh plainTooth()
 {
     TriangleMesh mesh = support::insideOut(support::cone(4.5F, -12.0F, 48));
-    const TriangleMesh crown = support::moved(support::sphereCap(6.0F, 6.0F, 48, 12), {0.0F, 0.0F, -0.1F});
+    TriangleMesh crown = support::moved(support::sphereCap(6.0F, 6.0F, 48, 12), {0.0F, 0.0F, -0.1F});
     return support::joined(mesh, crown);
 }
 
@@ -234,6 +234,24 @@ private slots:
             const double lengthMm = (facts.high.z - facts.low.z) * placement->unit.mmPerUnit;
             QVERIFY(lengthMm > 15.0 && lengthMm < 22.0);
         }
+        // Whole teeth and crowns of usual sizes (mm), from the smallest incisor to a large molar.
+        for (const glm::vec3& size :
+             {glm::vec3(8.5F, 7.0F, 23.5F), glm::vec3(5.3F, 5.7F, 21.0F), glm::vec3(11.0F, 10.5F, 21.6F),
+              glm::vec3(7.5F, 8.0F, 26.0F), glm::vec3(9.0F, 7.0F, 21.5F)}) {
+            for (const auto& [mmPerUnit, unit] : {std::pair(10.0F, "cm"), {25.4F, "in"}}) {
+                TriangleMesh whole = support::scaled(support::box(size.x, size.y, size.z), 1.0F / mmPerUnit);
+                const auto placement = findPlacement(whole, factsOf(whole), {});
+                QVERIFY(placement);
+                QCOMPARE(placement->unit.name, std::string(unit));
+            }
+            TriangleMesh crown = support::scaled(support::box(size.x, size.y, 9.0F), 0.1F);
+            const auto placement = findPlacement(crown, factsOf(crown), {});
+            QVERIFY(placement);
+            QCOMPARE(placement->unit.name, std::string("cm"));
+            // Where both are possible, the warning names both.
+            QVERIFY2(placement->warnings.front().find("as inches it would be") != std::string::npos,
+                     placement->warnings.front().c_str());
+        }
         TriangleMesh jaw = support::box(60.0F, 45.0F, 20.0F);
         const auto ofJaw = findPlacement(jaw, factsOf(jaw), {});
         QVERIFY(ofJaw && ofJaw->unit.name == "mm" && !ofJaw->warnings.empty());
@@ -406,9 +424,10 @@ private slots:
     {
         QCOMPARE(parseUnit("cm")->mmPerUnit, 10.0);
         QCOMPARE(parseUnit("10.5")->mmPerUnit, 10.5);
-        for (const char* bad : {"", "0", "-1", "nan", "inf", "mm ", "1,5", "inches"})
+        for (const char* bad : {"", "0", "-1", "nan", "inf", "mm ", "1,5", "ft"})
             QVERIFY(!parseUnit(bad));
-        QCOMPARE(parseUnit("in")->mmPerUnit, 25.4);
+        for (const char* inches : {"in", "IN", "inch", "inches"})
+            QCOMPARE(parseUnit(inches)->mmPerUnit, 25.4);
         QVERIFY(parseUp("-y")->inFile == glm::dvec3(0.0, -1.0, 0.0));
         QVERIFY(parseUp("x")->inFile == glm::dvec3(1.0, 0.0, 0.0));
         QVERIFY(glm::distance(parseUp("1,0,-1")->inFile, glm::dvec3(1.0, 0.0, -1.0) / std::sqrt(2.0)) < 1e-12);

@@ -466,10 +466,33 @@ private slots:
         const std::string solid = support::asAsciiStl(support::box(1, 1, 1));
         add("stl: ascii, the second solid cut short", solid + solid.substr(0, solid.size() / 2),
             ErrorCode::FileTruncated, "without \"endsolid\"");
+        // The names of solids: a comment, with a NUL behind it, or all on one line.
+        for (const auto& [old, changed] :
+             {std::pair("solid ", "solid #1 "), {"solid box\n", "solid box\0\0\n"}, {"\n", " "}}) {
+            QByteArray named = QByteArray::fromStdString(solid);
+            named.replace(old, QByteArray(changed, changed == std::string("solid box") ? 12 : -1));
+            const std::string both = (named + named).toStdString();
+            add("stl: ascii, named, the second solid cut short", both.substr(0, both.size() * 3 / 4),
+                ErrorCode::FileTruncated, "cut short");
+        }
         add("stl: decimal commas", "solid a\nfacet normal 0 0 1\nvertex 0,5 0 0\n", ErrorCode::BadNumber,
             "decimal comma");
         add("stl: UTF-16", "\xFF\xFEs", ErrorCode::WrongKind, "UTF-16");
         add("stl: gzip", "\x1F\x8B\x08", ErrorCode::WrongKind, "gzip");
+        for (const char* archive : {"BZh9",
+                                    "\xFD"
+                                    "7zXZ",
+                                    "\x28\xB5\x2F\xFD", "7z\xBC\xAF\x27\x1C", "Rar!\x1A\x07"})
+            add("stl: an archive", std::string(archive) + '\0', ErrorCode::WrongKind, "archive");
+        for (const char* other : {"%PDF-1.4", "\x89PNG\r\n", "\xFF\xD8\xFF\xE0", "glTF"})
+            add("stl: something else", other, ErrorCode::WrongKind, "no mesh");
+        for (const MeshFormat format : {MeshFormat::Obj, MeshFormat::Stl, MeshFormat::Ply}) {
+            const char* name = format == MeshFormat::Obj   ? "obj: UTF-16"
+                               : format == MeshFormat::Stl ? "stl: UTF-16"
+                                                           : "ply: UTF-16";
+            add(name, std::string("\0s\0o", 4), ErrorCode::WrongKind, "UTF-16");
+            add(name, std::string("v\0 \0", 4), ErrorCode::WrongKind, "UTF-16");
+        }
         add("stl: ZIP", "PK\x03\x04", ErrorCode::WrongKind, "ZIP");
         add("stl: a PLY", "ply\nformat ascii 1.0\n", ErrorCode::WrongKind, "ends in .ply");
         add("obj: an STL", solid, ErrorCode::WrongKind, "ends in .stl");
