@@ -217,28 +217,6 @@ std::optional<std::string> tooDeep(const core::recording::DevicePath& path, doub
         .toStdString();
 }
 
-/// Returns a warning if the tip of the bur begins inside the tooth. The bur then feels and cuts nothing until it has
-/// been outside.
-std::optional<std::string> beginsInside(const core::recording::DevicePath& path,
-                                        const core::terrain::ToothAnatomy& tooth)
-{
-    const glm::dvec3& tip = path.points.front().tipMm;
-    const glm::dvec2 place = tooth.grid.latticeOf(glm::dvec2(tip));
-    const auto i = static_cast<int>(std::lround(std::clamp(place.x, -1.0, static_cast<double>(tooth.grid.side))));
-    const auto j = static_cast<int>(std::lround(std::clamp(place.y, -1.0, static_cast<double>(tooth.grid.side))));
-    if (!tooth.grid.contains(i, j))
-        return std::nullopt;
-    const std::size_t column = tooth.grid.index(i, j);
-    const auto topMm = static_cast<double>(tooth.top[column]);
-    if (!(tip.z < topMm - tooth.grid.cellMm) || !(tip.z > static_cast<double>(tooth.bottom[column])))
-        return std::nullopt;
-    return QStringLiteral(
-               "the bur begins inside the tooth, whose surface there is at z %1 mm: it feels and cuts nothing "
-               "until it has been outside; begin the path above it")
-        .arg(topMm, 0, 'f', 2)
-        .toStdString();
-}
-
 /// Returns an error about the first output file that would overwrite another file of the command line; empty if there
 /// is none.
 QString clashingFiles(const QCommandLineParser& parser)
@@ -273,9 +251,15 @@ struct Work
     [[nodiscard]] std::uint64_t ticks() const { return path.ticks(options.rateHz); }
 };
 
+/// What the servo did not follow.
+struct Ignored
+{
+    std::uint64_t readings = 0;  ///< number of readings that were ignored because no hand can be there
+    bool isInside = false;       ///< the bur began inside the tooth
+};
+
 /// Runs the simulation over the path and writes the trace.
-/// @param passedOver  set to the number of readings that were ignored because no hand can be there
-core::Result<haptics::SimulationOutcome> run(const Work& work, const QString& out, std::uint64_t& passedOver)
+core::Result<haptics::SimulationOutcome> run(const Work& work, const QString& out, Ignored& ignored)
 {
     TraceWriter trace(out);
     if (const core::Status opened = trace.open(); !opened)
@@ -293,7 +277,8 @@ core::Result<haptics::SimulationOutcome> run(const Work& work, const QString& ou
         [&](std::uint64_t tick, const core::servo::ServoState& state) {
             const double timeS = static_cast<double>(tick) / rateHz;
             if (glm::vec3(handCursor.at(timeS).tipMm) != glm::vec3(state.deviceMm))
-                ++passedOver;
+                ++ignored.readings;
+            ignored.isInside = ignored.isInside || (tick <= 1 && (state.health & core::servo::kBegunInside) != 0);
             trace.row(startS + timeS, state);
         });
     if (!outcome)
@@ -410,21 +395,25 @@ int simulateCommand(const QStringList& arguments)
     tooth->mesh = {};  // the simulation uses only the maps
     work.anatomy = tooth->anatomy;
     std::vector<std::string> warnings = tooth->report.warnings;
-    if (const auto warning = tooDeep(work.path, tooth->report.highMm.z))
-        warnings.push_back(*warning);
-    else if (const auto inside = beginsInside(work.path, *work.anatomy))
-        warnings.push_back(*inside);
+    const auto deep = tooDeep(work.path, tooth->report.highMm.z);
+    const bool isTooDeep = deep.has_value();
+    if (deep)
+        warnings.push_back(*deep);
 
     const QString record = parser.value(QStringLiteral("record"));
     if (!record.isEmpty() && !QFileInfo(QFileInfo(record).absolutePath()).isWritable())
         return failed({core::ErrorCode::FileUnwritable, record.toStdString() + " cannot be written: its folder is not "
                                                                                "there or not writable"});
-    std::uint64_t passedOver = 0;
-    const auto outcome = run(work, parser.value(QStringLiteral("out")), passedOver);
+    Ignored ignored;
+    const auto outcome = run(work, parser.value(QStringLiteral("out")), ignored);
     if (!outcome)
         return failed(outcome.error());
-    if (passedOver > 0)
-        warnings.push_back("The path leaps: " + std::to_string(passedOver) +
+    if (ignored.isInside && !isTooDeep)
+        warnings.emplace_back(
+            "the bur begins inside the tooth: it feels and cuts nothing until it has been outside; begin "
+            "the path above it");
+    if (ignored.readings > 0)
+        warnings.push_back("The path leaps: " + std::to_string(ignored.readings) +
                            " ticks of it, to places where no hand can have come in their time, were passed over as bad "
                            "readings");
     if (!record.isEmpty())

@@ -189,6 +189,11 @@ private slots:
         QTest::newRow("begins too deep") << std::string("0,0,0,-12.5,0\n0.1,0,0,3,0\n") << "begins at z -12.50 mm";
         QTest::newRow("begins deep enough") << std::string("0,5.2,5.2,-7.9,0\n0.1,5.2,5.2,3,0\n") << "";
         QTest::newRow("begins inside") << std::string("0,0,0,-3.5,1\n0.1,0,0,-4,1\n") << "begins inside the tooth";
+        QTest::newRow("begins just below the surface")
+            << std::string("0,0,0,-2.5,1\n0.1,0,0,-4,1\n") << "begins inside the tooth";
+        QTest::newRow("begins with its side in the tooth")
+            << std::string("0,5.5,0,-5,1\n0.1,5.5,0,-5.1,1\n") << "begins inside the tooth";
+        QTest::newRow("begins on the surface and leaves it") << std::string("0,0,0,3,1\n0.1,0,0,-2.5,1\n") << "";
         QTest::newRow("30 mm within one tick, and back")
             << std::string("0,0,0,3,0\n0.1,0,0,3,0\n0.101,30,0,3,0\n0.105,30,0,3,0\n0.106,0,0,3,0\n0.2,0,0,3,0\n")
             << "The path leaps: 5 ticks of it";
