@@ -103,7 +103,8 @@ int sayThereIsNoDisplay(int& argc, char** argv, const QString& why)
     if (const auto code = takeOptions(parser, QCoreApplication::arguments().mid(1), options))
         return *code;
     return failed({core::ErrorCode::FileUnreadable,
-                   "no window can be opened: " + why.toStdString() + "; \"cusp help\" lists what works without one"});
+                   "no window can be opened: " + why.toStdString() +
+                       "; \"cusp render\" draws pictures without a display, \"cusp help\" lists what else works"});
 }
 
 /// Returns the requested language, otherwise the one of the last run, otherwise that of the system.

@@ -23,10 +23,18 @@ const QString kX11 = QStringLiteral("xcb");
 const QString kWayland = QStringLiteral("wayland");
 constexpr const char* kChoice = "QT_QPA_PLATFORM";
 
-/// Scripts that want no window ask for these platforms. Neither can draw with OpenGL.
+/// Returns the name of a platform, without the options behind a colon.
+QString nameOf(const QString& platform)
+{
+    return platform.section(u':', 0, 0);
+}
+
+/// Scripts that want no window ask for these platforms. None can draw with OpenGL.
 bool isBlind(const QString& platform)
 {
-    return platform == u"offscreen" || platform == u"minimal";
+    return QStringList{QStringLiteral("offscreen"), QStringLiteral("minimal"), QStringLiteral("minimalegl"),
+                       QStringLiteral("vnc"), QStringLiteral("linuxfb")}
+        .contains(nameOf(platform));
 }
 
 /// Returns whether Qt has a plugin for a platform. It cannot be told if the environment names other folders of plugins.
@@ -35,7 +43,8 @@ bool hasPlugin(const QString& platform)
     if (qEnvironmentVariableIsSet("QT_PLUGIN_PATH") || qEnvironmentVariableIsSet("QT_QPA_PLATFORM_PLUGIN_PATH"))
         return true;
     const QDir plugins(QLibraryInfo::path(QLibraryInfo::PluginsPath) + QStringLiteral("/platforms"));
-    return !plugins.entryList({QStringLiteral("libq%1*.so").arg(platform)}).isEmpty();
+    return !plugins.entryList({QStringLiteral("libq%1.so").arg(platform), QStringLiteral("libq%1-*.so").arg(platform)})
+                .isEmpty();
 }
 
 /// Returns why no window can be opened on the X server that DISPLAY names; empty if one can.
@@ -67,11 +76,13 @@ QString whyNoWayland()
         return QStringLiteral("there is no display");
     if (!hasPlugin(kWayland))
         return QStringLiteral("Qt cannot open windows under Wayland (Debian package qt6-wayland)");
-    const QByteArray path = QFile::encodeName(QDir(qEnvironmentVariable("XDG_RUNTIME_DIR")).absoluteFilePath(display));
+    // As libwayland does: a name is in XDG_RUNTIME_DIR, which has to be an absolute path.
+    const QByteArray path = QFile::encodeName(
+        display.startsWith(u'/') ? display : qEnvironmentVariable("XDG_RUNTIME_DIR") + u'/' + display);
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     bool isThere = false;
-    if (path.size() < static_cast<qsizetype>(sizeof(address.sun_path))) {
+    if (path.startsWith('/') && path.size() < static_cast<qsizetype>(sizeof(address.sun_path))) {
         std::memcpy(address.sun_path, path.constData(), static_cast<std::size_t>(path.size()));
         const int connection = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
         isThere = connect(connection, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
@@ -80,19 +91,21 @@ QString whyNoWayland()
     return isThere ? QString() : QStringLiteral("no Wayland server answers at WAYLAND_DISPLAY=%1").arg(display);
 }
 
-/// Returns why no window can be opened on a platform of Qt; empty if one can. Other platforms need no server.
-QString whyNot(const QString& platform)
+/// Returns whether a window can be opened on a platform of Qt. Platforms beside X11 and Wayland need no server.
+bool isOpenable(const QString& platform)
 {
-    return platform == kX11 ? whyNoX11() : platform.startsWith(kWayland) ? whyNoWayland() : QString();
+    const QString name = nameOf(platform);
+    if (name == kX11)
+        return whyNoX11().isEmpty();
+    if (name.startsWith(kWayland))
+        return whyNoWayland().isEmpty();
+    return !name.isEmpty() && hasPlugin(name);
 }
 
-/// Returns those of some platforms that can be opened. A name may have options behind a colon.
 QStringList openable(const QStringList& platforms)
 {
     QStringList found;
-    std::copy_if(platforms.begin(), platforms.end(), std::back_inserter(found), [](const QString& platform) {
-        return !platform.isEmpty() && whyNot(platform.section(u':', 0, 0)).isEmpty();
-    });
+    std::copy_if(platforms.begin(), platforms.end(), std::back_inserter(found), isOpenable);
     return found;
 }
 
@@ -109,8 +122,8 @@ QString whyNoDisplay(const QString& asked)
         choose(found);
         return {};
     }
-    const QString x11 = whyNoX11();
-    const QString wayland = whyNoWayland();
+    QString x11 = whyNoX11();
+    QString wayland = whyNoWayland();
     if (x11.isEmpty() && wayland.isEmpty()) {
         qunsetenv(kChoice);  // Qt takes the one of the desktop
         return {};

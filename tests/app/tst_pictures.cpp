@@ -257,6 +257,9 @@ private slots:
         QTest::newRow("a stale WAYLAND_DISPLAY") << QStringList{x11, wayland, "XDG_SESSION_TYPE=wayland"};
         QTest::newRow("Wayland asked for") << QStringList{x11, "QT_QPA_PLATFORM=wayland"};
         QTest::newRow("no window asked for") << QStringList{x11, "QT_QPA_PLATFORM=offscreen"};
+        QTest::newRow("no window, with options") << QStringList{x11, "QT_QPA_PLATFORM=offscreen:x=1"};
+        QTest::newRow("a platform without OpenGL") << QStringList{x11, "QT_QPA_PLATFORM=linuxfb"};
+        QTest::newRow("a platform that Qt does not know") << QStringList{"QT_QPA_PLATFORM=nonsense"};
     }
     void otherDisplays()
     {
