@@ -5,6 +5,8 @@
 #include <array>
 #include <optional>
 
+#include <QString>
+
 #include "core/base/Bytes.h"
 
 namespace database {
@@ -147,7 +149,7 @@ tl::expected<std::vector<CsvRow>, CsvFault> readCsv(std::string_view bytes)
             // the end of a line, as Windows writes it; blanks between a closing quote and the separator
         } else if (in == In::AfterQuoted) {
             return tl::unexpected(CsvFault{CsvFault::Kind::AfterQuote, line, column});
-        } else if (c == '"' && std::all_of(field.begin(), field.end(), isBlank)) {
+        } else if (c == '"' && QString::fromStdString(field).trimmed().isEmpty()) {
             in = In::Quoted;
             field.clear();
             quoteLine = line;

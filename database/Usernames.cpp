@@ -26,7 +26,8 @@ core::Result<std::string> normalUsername(const std::string& typed)
                                 "the username is longer than " + std::to_string(kLongest) + " characters; shorten it");
     if (!std::all_of(name.begin(), name.end(), isFit))
         return core::unexpected(core::ErrorCode::OutOfRange,
-                                "a username has the letters a to z, digits and . _ - @ only; correct it");
+                                "the username \"" + name.toStdString() +
+                                    "\" has other characters than the letters a to z, digits and . _ - @; correct it");
     return name.toStdString();
 }
 

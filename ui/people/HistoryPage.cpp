@@ -15,6 +15,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "database/NameOrder.h"
 #include "ui/charts/ChartPanel.h"
 #include "ui/kit/Actions.h"
 #include "ui/kit/FormInputs.h"
@@ -324,7 +325,7 @@ void HistoryPage::fillLessons()
     for (const auto& [id, count] : tried)
         titles << std::pair(text::lessonTitle(m_charted.titles, id), id);
     std::sort(titles.begin(), titles.end(),
-              [](const auto& a, const auto& b) { return QString::localeAwareCompare(a.first, b.first) < 0; });
+              [order = database::NameOrder()](const auto& a, const auto& b) { return order(a.first, b.first); });
     const QSignalBlocker quiet(m_lessons);
     m_lessons->clear();
     m_lessons->addItem(tr("All lessons"));
