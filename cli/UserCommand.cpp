@@ -403,21 +403,33 @@ int importCommand(const QStringList& arguments)
     const QString codes = parser.value(QStringLiteral("codes"));
     if (const auto fit = toFile ? expectNew(codes, desk->open.database->address()) : core::Status(); !fit)
         return failed(fit.error());
+    // The codes are on the disk before they become valid: otherwise a program that ends in between would lose them.
+    const QString part = codes + QStringLiteral(".part");
+    if (const auto fit = toFile ? expectNew(part, desk->open.database->address()) : core::Status(); !fit)
+        return failed(fit.error());
+    bool isKept = false;
+    const auto keepCodes = [&](const std::vector<database::RosterPerson>& people) {
+        isKept = toFile;
+        return toFile ? database::writeCodes(part, people) : core::Status();
+    };
     const auto outcome = database::sql::importRoster(*desk->open.school, desk->session,
-                                                     {csv.constData(), static_cast<std::size_t>(csv.size())}, dryRun);
+                                                     {csv.constData(), static_cast<std::size_t>(csv.size())}, dryRun,
+                                                     nullptr, keepCodes);
+    const bool hasCodes = outcome && std::any_of(outcome->people.begin(), outcome->people.end(),
+                                                 [](const auto& person) { return person.isNew; });
+    if (isKept && !hasCodes)
+        QFile::remove(part);
     if (!outcome)
         return failed({outcome.error().code, words.back().toStdString() + ": " + outcome.error().detail});
     if (outcome->faults.empty() && outcome->people.empty())
         return failed({ErrorCode::FileEmpty,
                        words.back().toStdString() + ": there is nobody in it, only the line that names the columns"});
-    const bool hasCodes =
-        std::any_of(outcome->people.begin(), outcome->people.end(), [](const auto& person) { return person.isNew; });
-    if (!dryRun && outcome->faults.empty() && toFile && hasCodes)
-        if (const auto written = database::writeCodes(codes, outcome->people); !written) {
-            // The people exist in the database now, so their codes must not be lost.
-            tellRoster(parser, *outcome, dryRun, true);
-            return failed(written.error());
-        }
+    if (isKept && hasCodes && !QFile::rename(part, codes)) {
+        // The people exist in the database now, so their codes must not be lost.
+        tellRoster(parser, *outcome, dryRun, true);
+        return failed({ErrorCode::FileUnwritable, "the codes are in " + part.toStdString() +
+                                                      ", which could not be renamed to " + codes.toStdString()});
+    }
     return tellRoster(parser, *outcome, dryRun, !toFile);
 }
 

@@ -2,8 +2,10 @@
 #include "database/Codes.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QSaveFile>
 
+#include "core/base/WholeFile.h"
 #include "database/Csv.h"
 
 namespace database {
@@ -24,6 +26,7 @@ core::Status writeCodes(const QString& path, const std::vector<RosterPerson>& pe
     if (!file.flush() || !file.commit())
         return core::unexpected(ErrorCode::FileUnwritable,
                                 "the codes could not be written to " + path.toStdString() + "; make room on the disk");
+    core::bringToDisk(QFileInfo(path).absolutePath().toStdU16String());  // syncs the name of the new file
     return {};
 }
 

@@ -344,7 +344,7 @@ core::Result<std::string> take(const DatabaseContext& school, AuditBatch& audit,
 
 /// Imports all lines inside a transaction and records them in the audit. Imports none if there are faults.
 core::Status enterAll(const DatabaseContext& school, const Login& session, const std::vector<Line>& lines,
-                      RosterOutcome& outcome, const RosterOutcome* asSeen)
+                      RosterOutcome& outcome, const RosterOutcome* asSeen, const KeepCodes& keepCodes)
 {
     auto present = presentAt(school);
     if (!present)
@@ -364,13 +364,15 @@ core::Status enterAll(const DatabaseContext& school, const Login& session, const
             return tl::unexpected(code.error());
         outcome.people[k].code = std::move(*code);
     }
-    return audit.seal();
+    if (auto sealed = audit.seal(); !sealed)
+        return sealed;
+    return keepCodes ? keepCodes(outcome.people) : core::Status();
 }
 
 }  // namespace
 
 core::Result<RosterOutcome> importRoster(const DatabaseContext& school, const Login& session, std::string_view csv,
-                                         bool dryRun, const RosterOutcome* asSeen)
+                                         bool dryRun, const RosterOutcome* asSeen, const KeepCodes& keepCodes)
 {
     for (const Operation operation : {Operation::AddPerson, Operation::ChangePerson, Operation::ChangeClasses})
         if (auto who = authorize(school, session, operation); !who)
@@ -404,8 +406,8 @@ core::Result<RosterOutcome> importRoster(const DatabaseContext& school, const Lo
         if (!present)
             return tl::unexpected(present.error());
         static_cast<void>(plan(lines, *present, outcome));
-    } else if (auto done =
-                   inTurn(school, kImporting, [&] { return enterAll(school, session, lines, outcome, asSeen); });
+    } else if (auto done = inTurn(school, kImporting,
+                                  [&] { return enterAll(school, session, lines, outcome, asSeen, keepCodes); });
                !done && outcome.faults.empty()) {
         return tl::unexpected(done.error());
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string_view>
+#include <vector>
 
 #include "database/Person.h"
 #include "database/sql/DatabaseContext.h"
@@ -9,6 +11,8 @@
 namespace database::sql {
 
 using database::kMostRosterLines;
+
+using KeepCodes = std::function<core::Status(const std::vector<RosterPerson>& people)>;
 
 /// Creates new people of a class list, changes the names of known ones, and adds all to their classes. Does all or
 /// nothing. Admins.
@@ -18,8 +22,10 @@ using database::kMostRosterLines;
 /// @param dryRun  returns the outcome without codes, and changes nothing
 /// @param asSeen  the outcome of the dry run. If the import would now have another outcome, it does nothing
 ///                (ChangedSince). Null: there was no dry run
+/// @param keepCodes  called with everybody in the list before their codes become valid. If it fails, nothing is changed
 [[nodiscard]] core::Result<RosterOutcome> importRoster(const DatabaseContext& school, const Login& session,
                                                        std::string_view csv, bool dryRun,
-                                                       const RosterOutcome* asSeen = nullptr);
+                                                       const RosterOutcome* asSeen = nullptr,
+                                                       const KeepCodes& keepCodes = {});
 
 }  // namespace database::sql

@@ -150,6 +150,11 @@ private slots:
         const QByteArray codes = contentOf(at("codes.csv"));
         QVERIFY2(codes.contains("n1,Ada One,") && codes.contains("n2,Bo Two,"), codes);
         QVERIFY(!(QFile::permissions(at("codes.csv")) & (QFile::ReadGroup | QFile::ReadOther)));
+        QVERIFY(!QFile::exists(at("codes.csv.part")));
+        // A killed program has left its codes under this name.
+        put(at("others.csv.part"), "n7,Zoe,CODE");
+        expectRefusal(byAdmin({"import", "roster", at("list.csv"), "--codes", at("others.csv")}), "others.csv.part");
+        QCOMPARE(contentOf(at("others.csv.part")), QByteArray("n7,Zoe,CODE"));
         put(at("nobody.csv"), "username,given_name,family_name,role,class\n");
         for (const QStringList& way : {QStringList(), QStringList{"--dry-run"}}) {
             const Ending nobody = byAdmin(QStringList{"import", "roster", at("nobody.csv")} + way);

@@ -343,6 +343,30 @@ private slots:
         QCOMPARE(listPeople(m_rig.school(), m_rig.admin)->size(), std::size_t{6});
     }
 
+    /// A program that is killed between the two loses nothing: the codes are kept first.
+    void codesAreKeptBeforeTheyAreValid_data() { support::addEngines(); }
+    void codesAreKeptBeforeTheyAreValid()
+    {
+        COPY_OF(support::populatedSchool, rig);
+        const auto people = [&] { return listPeople(rig.school(), rig.admin)->size(); };
+        const std::size_t before = people();
+        const char* list = "username\nnew1\nnew2\n";
+        const auto refuse = [](const std::vector<RosterPerson>&) -> core::Status {
+            return core::unexpected(ErrorCode::FileUnwritable, "the disk is full");
+        };
+        VERIFY_REFUSED(importRoster(rig.school(), rig.admin, list, false, nullptr, refuse), ErrorCode::FileUnwritable);
+        QCOMPARE(people(), before);
+        std::string code;
+        const auto keep = [&](const std::vector<RosterPerson>& entered) -> core::Status {
+            code = entered[0].code;
+            return {};
+        };
+        VERIFY_DONE(importRoster(rig.school(), rig.admin, list, true, nullptr, keep));
+        QVERIFY(code.empty());
+        VERIFY_DONE(importRoster(rig.school(), rig.admin, list, false, nullptr, keep));
+        VERIFY_DONE(Logins::redeem(rig.school(), "new1", code, "another horse"));
+    }
+
     void classListsAreTakenWholeOrNotAtAll_data() { support::addEngines(); }
     void classListsAreTakenWholeOrNotAtAll()
     {
@@ -390,7 +414,8 @@ private slots:
         for (const char* spaced :
              {"username,given_name,class,\nnew7,Ana,A,\n", "username;given_name;class;;\nnew7;Ana;A; ;\n",
               "username,given_name,class\nnew7, \"Ana\", A,\n",
-              "username,given_name,class\n\"new7\" ,\"Ana\"\t, \"A\"\n"}) {
+              "username,given_name,class\n\"new7\" ,\"Ana\"\t, \"A\"\n",
+              "username,given_name,class\nnew7,\u00A0\"Ana\",\u3000\"A\"\n"}) {
             const auto read = importRoster(rig.school(), rig.admin, spaced, true);
             QVERIFY2(read.has_value() && read->faults.empty() && read->people.size() == 1, spaced);
             QCOMPARE(read->people[0].username, std::string("new7"));
