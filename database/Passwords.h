@@ -31,7 +31,7 @@ inline constexpr int kShortestPassword = 8;
 inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a longer password would take too long
 
 /// Checks a new password. OutOfRange with one sentence: too short, too long, contains the username, or is easily
-/// guessed: a common word with digits around it, adjacent keys, three repeated characters.
+/// guessed (zxcvbn): a common word or password, dates, adjacent keys, repetitions, or some of them together.
 [[nodiscard]] core::Status checkPassword(const std::string& password, const std::string& username);
 
 /// Returns "$argon2id$v=19$m=65536,t=2,p=1$salt$hash". FileTooLarge if there is not enough memory.
