@@ -46,6 +46,11 @@ qlonglong nowMs(const DatabaseContext& school)
     return school.nowUtc().toMSecsSinceEpoch();
 }
 
+qlonglong yesterdayMs(const DatabaseContext& school)
+{
+    return nowMs(school) - std::chrono::milliseconds(std::chrono::hours(24)).count();
+}
+
 core::Error tooSoon(std::chrono::milliseconds wait)
 {
     const auto seconds = std::chrono::ceil<std::chrono::seconds>(wait).count();
@@ -104,12 +109,14 @@ core::Status bringBack(const DatabaseContext& school, const std::string& hash)
                    {now, text(hash), tryOf(hash), now});
 }
 
+/// Counts an attempt. Failures of the day before are forgotten: a few slips a week must not add up to a long wait.
 core::Status countTry(const DatabaseContext& school, const QVariant& name)
 {
     return execute(school.db,
                    "INSERT INTO failed_logins (name_hash, failures, last_ms) VALUES (?, 1, ?) ON CONFLICT (name_hash) "
-                   "DO UPDATE SET failures = failed_logins.failures + 1, last_ms = excluded.last_ms",
-                   kLogIn, {name, nowMs(school)});
+                   "DO UPDATE SET failures = CASE WHEN failed_logins.last_ms < ? THEN 1 ELSE failed_logins.failures + "
+                   "1 END, last_ms = excluded.last_ms",
+                   kLogIn, {name, nowMs(school), yesterdayMs(school)});
 }
 
 /// Counts a login attempt as a failure before its comparison, so that many attempts at once allow no more guesses than
@@ -124,10 +131,9 @@ core::Result<bool> reserveTry(const DatabaseContext& school, const std::string& 
             return false;
         // Removes old names, so that many guessed names do not fill the disk. A small table is left alone whatever the
         // clock says: filling it takes longer than any wait.
-        const qlonglong yesterday = nowMs(school) - std::chrono::milliseconds(std::chrono::hours(24)).count();
         if (auto forgotten = execute(
                 school.db, "DELETE FROM failed_logins WHERE last_ms < ? AND (SELECT COUNT(*) FROM failed_logins) > ?",
-                kLogIn, {yesterday, Logins::kMostFailedNames});
+                kLogIn, {yesterdayMs(school), Logins::kMostFailedNames});
             !forgotten)
             return tl::unexpected(forgotten.error());
         for (const QVariant& name : {text(hash), tryOf(hash)})

@@ -16,7 +16,7 @@ class Logins
 {
 public:
     /// Number of failures without a delay. After more failures in a row, the next attempt has to wait one second, then
-    /// two, four and so on, up to kLongestWait.
+    /// two, four and so on, up to kLongestWait. If the last failure was more than a day ago, they count from 1 again.
     static constexpr int kFreeFailures = 3;
     static constexpr std::chrono::seconds kLongestWait = std::chrono::minutes(15);
     /// If more names than this have failed logins, those that have not been tried for a day are removed.

@@ -200,6 +200,18 @@ private slots:
         VERIFY_DONE(rig.logIn("s1002"));
     }
 
+    void failuresOfTheDayBeforeAreForgotten_data() { support::addEngines(); }
+    void failuresOfTheDayBeforeAreForgotten()
+    {
+        COPY_OF(support::populatedSchool, rig);
+        for (int day = 0; day < 3; ++day) {
+            fail(rig, "s1001");
+            VERIFY_REFUSED(rig.logIn("s1001"), ErrorCode::TooSoon);
+            rig.nowUtc = rig.nowUtc.addDays(1).addSecs(1);
+        }
+        VERIFY_DONE(rig.logIn("s1001"));
+    }
+
     /// The clock is set back by a year, or one station's clock is a year ahead of another's.
     void aWrongClockLocksNobodyOutForLong_data() { support::addEngines(); }
     void aWrongClockLocksNobodyOutForLong()
@@ -382,7 +394,9 @@ private slots:
         for (const std::string& guessed :
              {std::string(), std::string("1234567"), std::string("S1001-abc"), std::string("s1001-ABC!2026"),
               std::string("password1234"), std::string("P@ssw0rd!"), std::string("qwertzui"), std::string("12345678"),
-              std::string("987654321"), std::string("aaaaaaaaaaaa"), std::string(10'000, 'x')})
+              std::string("987654321"), std::string("aaaaaaaaaaaa"), std::string(10'000, 'x'), std::string("football7"),
+              std::string("abcabcab"), std::string("drowssap"), std::string("Summer2026"), std::string("Geheim!2026"),
+              std::string("yxcvbnm,"), std::string("qazwsxedc"), std::string("20.11.2004")})
             QVERIFY2(support::whyNotRefused(checkPassword(guessed, "s1001-ABC"), ErrorCode::OutOfRange).isEmpty(),
                      guessed.c_str());
         for (const char* good : {"eight it", "歯科医院研修用鍵", "my password is long"})
