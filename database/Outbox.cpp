@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -84,12 +85,20 @@ bool takeAttempt(core::ByteReader& bytes, AttemptRecord& attempt)
     return bytes.ok();
 }
 
-/// Returns whether a file has the form that this program writes. No database accepts any other, so it would block the
-/// files behind it.
-bool isFit(const std::string& uid, const std::vector<const std::string*>& texts)
+/// Returns whether a text is a moment as this program writes it: "2026-11-20T10:15:00Z".
+bool isMoment(const std::string& utc)
 {
-    return uid.size() == kUidLength && std::none_of(texts.begin(), texts.end(), [](const std::string* text) {
-               return text->find('\0') != std::string::npos;
+    const QString text = QString::fromStdString(utc);
+    return text.endsWith(u'Z') && QDateTime::fromString(text, QStringLiteral("yyyy-MM-ddTHH:mm:ssZ")).isValid();
+}
+
+/// Returns whether a file has the form that this program writes. A database refuses some other forms, so that they
+/// would block the files behind them, and changes others, so that its check finds a difference for ever.
+bool isFit(const std::string& uid, const std::string& momentUtc, const std::vector<const std::string*>& texts)
+{
+    return uid.size() == kUidLength && isMoment(momentUtc) &&
+           std::all_of(texts.begin(), texts.end(), [](const std::string* text) {
+               return core::isUtf8(*text) && text->find('\0') == std::string::npos;
            });
 }
 
@@ -99,7 +108,7 @@ bool isFit(AttemptRecord& attempt)
     std::vector<const std::string*> texts(fields.begin(), fields.end());
     for (const CriterionLoss& criterion : attempt.criteria)
         texts.push_back(&criterion.id);
-    return isFit(attempt.uid, texts);
+    return isFit(attempt.uid, attempt.finishedUtc, texts);
 }
 
 /// Returns the files in a folder, oldest first.
@@ -278,7 +287,7 @@ core::Result<Outbox::ExamLetter> Outbox::readExam(const QString& path) const
     const std::array texts{&letter.start.uid, &letter.personUid, &letter.start.lessonId, &letter.start.begunUtc};
     for (std::string* text : texts)
         *text = parts.takeText();
-    if (!parts.ok() || !isFit(letter.start.uid, {texts.begin(), texts.end()}))
+    if (!parts.ok() || !isFit(letter.start.uid, letter.start.begunUtc, {texts.begin(), texts.end()}))
         return tl::unexpected(damaged(path));
     letter.school = QString::fromStdString(parts.takeText());
     return letter;

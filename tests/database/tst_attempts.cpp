@@ -546,6 +546,45 @@ private slots:
         }
     }
 
+    /// A database would refuse some of them for ever and change others, which its check then reports for ever.
+    void aLetterThatNoDatabaseKeepsAsItIsIsSetAside()
+    {
+        SchoolRig rig(support::populatedSchool(false));
+        QTemporaryDir folder;
+        Outbox outbox(folder.path(), StationKey::make());
+        const AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
+        const auto isSetAside = [&](const core::Status& put, const auto& read) {
+            if (!put || outbox.waiting().size() != 1)
+                return false;
+            const auto found = read(outbox.waiting().constFirst());
+            outbox.setAside(outbox.waiting().constFirst());
+            return !found && found.error().code == ErrorCode::BadStructure;
+        };
+        const auto isAttemptSetAside = [&](const AttemptRecord& one) {
+            return isSetAside(outbox.put(rig.student, one, {}), [&](const QString& file) { return outbox.read(file); });
+        };
+        const auto isExamSetAside = [&](const std::string& lesson, const std::string& utc) {
+            return isSetAside(outbox.put(rig.student, ExamStart{newUid(), lesson, utc}),
+                              [&](const QString& file) { return outbox.readExam(file); });
+        };
+        QVERIFY(!isAttemptSetAside(attempt));
+        for (std::string AttemptRecord::*field :
+             {&AttemptRecord::tooth, &AttemptRecord::lessonId, &AttemptRecord::device}) {
+            AttemptRecord wrong = attempt;
+            wrong.*field = "caf\xE9";
+            QVERIFY(isAttemptSetAside(wrong));
+        }
+        for (const char* utc : {"", "yesterday", "2026-13-01T10:15:00Z", "2026-02-30T10:15:00Z", "2026-11-20T25:15:00Z",
+                                "2026-11-20T10:15:00", "2026-11-20 10:15:00Z", "20261120T101500Z"}) {
+            AttemptRecord wrong = attempt;
+            wrong.finishedUtc = utc;
+            QVERIFY2(isAttemptSetAside(wrong), utc);
+            QVERIFY2(isExamSetAside("exam", utc), utc);
+        }
+        QVERIFY(isExamSetAside("ex\xC3", "2026-11-20T10:15:00Z"));
+        QVERIFY(!isExamSetAside("exam", "2026-11-20T10:15:00Z"));
+    }
+
     void aStationKeyIsAFileOfItsOwn()
     {
         QTemporaryDir folder;
