@@ -25,6 +25,10 @@ namespace {
 
 /// Base64 makes files larger by a third, and names and hashes take space.
 constexpr qint64 kLargestJsonBytes = kLargestPackBytes / 3 * 4 + qint64{1024} * 1024;
+constexpr const char* kNoPack = QT_TRANSLATE_NOOP("Fault", "This is no pack of lessons; choose a file that "
+                                                           "\"cusp lesson pack\" has made.");
+/// Largest number of commas and opening brackets: three values for each file, and names that contain some.
+constexpr std::ptrdiff_t kMostMarks = 20 * kMostPackedFiles;
 const QStringList kSuffixes{QStringLiteral("json"),    QStringLiteral("cuspideal"), QStringLiteral("stl"),
                             QStringLiteral("obj"),     QStringLiteral("ply"),       QStringLiteral("mtl"),
                             QStringLiteral("cusprec"), QStringLiteral("cusppreset")};
@@ -183,14 +187,16 @@ core::Result<std::vector<PackedFile>> unpackLessons(const QByteArray& bytes)
             QT_TRANSLATE_NOOP("Fault", "This is no pack of lessons, it is damaged, or it holds more than %1; choose a "
                                        "file that \"cusp lesson pack\" has made."),
             {megabytes(kLargestPackBytes)});
+    // Parsed JSON takes thirty times the memory of a text of brackets and commas. A pack has two for each value.
+    const auto marks =
+        std::count_if(json->begin(), json->end(), [](char letter) { return letter == ',' || letter == '['; });
+    if (marks > kMostMarks)
+        return refused(core::ErrorCode::WrongKind, kNoPack);
     const QJsonObject pack =
         QJsonDocument::fromJson(QByteArray::fromRawData(json->data(), static_cast<qsizetype>(json->size()))).object();
     const int format = pack.value(QStringLiteral("format")).toInt();
     if (pack.value(QStringLiteral("cusp")).toString() != u"lessons" || format < 1)
-        return refused(core::ErrorCode::WrongKind,
-                       QT_TRANSLATE_NOOP("Fault",
-                                         "This is no pack of lessons; choose a file that \"cusp lesson pack\" has "
-                                         "made."));
+        return refused(core::ErrorCode::WrongKind, kNoPack);
     if (format > kPackFormat)
         return refused(core::ErrorCode::NewerVersion,
                        QT_TRANSLATE_NOOP("Fault",

@@ -322,6 +322,15 @@ private slots:
         const QByteArray bomb = QByteArray::fromStdString(core::recording::pack(nothing));
         QVERIFY(bomb.size() < 100'000);
         QVERIFY(support::isRefused(unpackLessons(bomb), "more than 64.0 MB"));
+        // Millions of values, which would take a gigabyte when they are parsed.
+        const std::string values = R"({"format":1,"cusp":"lessons","files":[0)";
+        for (const char* one : {",0", "],[", ",\"\""}) {
+            std::string bombText = values;
+            for (int k = 0; k < 1'000'000; ++k)
+                bombText += one;
+            QVERIFY(support::isRefused(unpackLessons(QByteArray::fromStdString(core::recording::pack(bombText + "]}"))),
+                                       "no pack of lessons"));
+        }
         QJsonArray many;
         for (int k = 0; k < 600; ++k)
             many << entry(QStringLiteral("%1.json").arg(k), "{}");
