@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pwd.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdio>
+#include <new>
 
 #include <QtGlobal>
 
@@ -25,12 +27,26 @@ void setHome()
                    stderr);
 }
 
+/// Keeps a crash from writing the memory of the program, which holds passwords, into a file.
+void forbidCoreDump()
+{
+    const rlimit none{0, 0};
+    setrlimit(RLIMIT_CORE, &none);
+}
+
 }  // namespace
 
 int main(int argc, char* argv[])
 {
+    forbidCoreDump();
     setHome();
-    if (const auto exitCode = cli::run(argc, argv))
-        return *exitCode;
+    try {
+        if (const auto exitCode = cli::run(argc, argv))
+            return *exitCode;
+    } catch (const std::bad_alloc&) {
+        std::fputs("cusp: there is not enough memory for this; close other programs, or take a smaller file.\n",
+                   stderr);
+        return 1;
+    }
     return cli::runWindow(argc, argv);
 }

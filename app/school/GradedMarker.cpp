@@ -22,6 +22,8 @@ void markGraded(const std::filesystem::path& journal, const GradedMarker& mark)
     part += ".part";
     {
         std::ofstream out(part);
+        std::filesystem::permissions(part, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write,
+                                     failure);
         out << mark.uid << '\n' << mark.events << '\n';
         if (mark.expectedTenths)
             out << *mark.expectedTenths << '\n';

@@ -137,7 +137,8 @@ Result<std::shared_ptr<JournalFile>> JournalFile::create(const fs::path& path, c
                                                          std::int64_t begunUtcMs)
 {
     std::error_code failure;
-    fs::create_directories(path.parent_path(), failure);
+    if (fs::create_directories(path.parent_path(), failure))
+        fs::permissions(path.parent_path(), fs::perms::owner_all, failure);
     const int file = createLocked(partOf(path));
     if (file < 0)
         return unwritable(path, errno);

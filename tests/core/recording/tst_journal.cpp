@@ -242,6 +242,20 @@ private slots:
         QCOMPARE(kept, rounds);
     }
 
+    /// It says who worked when, and how.
+    void aJournalIsForItsOwnerOnly()
+    {
+        const fs::path path = m_path / "of" / "one" / "own.cuspjournal";
+        const auto journal = recording::JournalFile::create(path, Recording({}, support::smallBlock()), 0);
+        QVERIFY(journal);
+        constexpr fs::perms kOthers = fs::perms::group_all | fs::perms::others_all;
+        QCOMPARE(fs::status(path.parent_path()).permissions() & kOthers, fs::perms::none);
+        int files = 0;
+        for (fs::directory_iterator at(path.parent_path()); at != fs::directory_iterator(); ++at, ++files)
+            QCOMPARE(at->status().permissions() & kOthers, fs::perms::none);
+        QCOMPARE(files, 1);
+    }
+
     void cutAnywhereGivesTheLongestWholePart()
     {
         const std::string whole = shortJournal();
