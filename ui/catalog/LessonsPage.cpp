@@ -113,18 +113,19 @@ QWidget* LessonsPage::makeList()
     column->addWidget(m_list, 1);
     m_missing = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, side);
     m_missing->hide();
-    auto* folder = new QPushButton(side);
-    text::bindTranslation(folder, [folder] {
+    m_folder = new QPushButton(side);
+    m_folder->setObjectName(QStringLiteral("ownLessons"));
+    text::bindTranslation(m_folder, [folder = m_folder] {
         folder->setText(tr("Your own lessons …"));
         folder->setToolTip(tr("Open the folder for lessons that teachers add"));
         folder->setAccessibleName(tr("Open the folder of your own lessons"));
     });
-    folder->setAutoDefault(true);
-    folder->setProperty("kind", "quiet");
-    connect(folder, &QPushButton::clicked, this, &LessonsPage::folderRequested);
+    m_folder->setAutoDefault(true);
+    m_folder->setProperty("kind", "quiet");
+    connect(m_folder, &QPushButton::clicked, this, &LessonsPage::folderRequested);
     auto* below = new QHBoxLayout;
     below->addWidget(m_missing, 1);
-    below->addWidget(folder, 0, Qt::AlignRight);
+    below->addWidget(m_folder, 0, Qt::AlignRight);
     column->addLayout(below);
     return side;
 }
@@ -495,6 +496,7 @@ void LessonsPage::setMayEdit(bool may)
     m_mayEdit = may;
     const CatalogEntry* entry = chosen();
     m_edit->setVisible(may && entry != nullptr && entry->read.lesson.has_value());
+    m_folder->setVisible(may);
 }
 
 void LessonsPage::setUnsaved(const QSet<QString>& files)

@@ -77,7 +77,7 @@ public:
     void setFeedback(const std::vector<database::Feedback>& feedback);
     /// Sets the lesson of the current attempt, which the list marks; empty: none.
     void setPresent(const std::string& lessonId);
-    /// Sets whether the user may edit lessons; shows or hides the button.
+    /// Sets whether the user may edit lessons; shows or hides the buttons for that.
     void setMayEdit(bool may);
     /// Sets the lesson files that have unsaved changes in the editor, which the list marks.
     void setUnsaved(const QSet<QString>& files);
@@ -161,6 +161,7 @@ private:
     QSet<QString> m_unsaved;
     QLineEdit* m_search = nullptr;
     QPushButton* m_tooth = nullptr;
+    QPushButton* m_folder = nullptr;
     QButtonGroup* m_filter = nullptr;
     QFrame* m_continue = nullptr;
     QLabel* m_continueWords = nullptr;
