@@ -250,6 +250,10 @@ void LoginController::enter(const database::Login& who)
         m_context.window.showWarning(
             tr("The school's database is on a network drive, where only one computer at a time can "
                "use it. For several computers, use a PostgreSQL server."));
+    if (!m_data.isProtected() && (who.role() == database::Role::Admin || who.role() == database::Role::Instructor))
+        m_context.window.showWarning(
+            tr("The connection to the school's server is not protected: someone on the network "
+               "can read or change names and marks. Ask whoever looks after the server."));
 }
 
 /// Passwords are hashed at a cost that suits today's computers.

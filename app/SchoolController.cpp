@@ -37,8 +37,8 @@ bool isOfTheFile(core::ErrorCode code)
 bool isUnreachable(core::ErrorCode code)
 {
     using core::ErrorCode;
-    return code == ErrorCode::ConnectionLost || code == ErrorCode::ServerRefuses || code == ErrorCode::Busy ||
-           code == ErrorCode::OpenElsewhere || isOfTheFile(code);
+    return code == ErrorCode::ConnectionLost || code == ErrorCode::ServerRefuses || code == ErrorCode::ServerUnknown ||
+           code == ErrorCode::Busy || code == ErrorCode::OpenElsewhere || isOfTheFile(code);
 }
 
 SchoolController::SchoolController(MainWindow& window, SchoolSession& school, Options options)
@@ -159,13 +159,14 @@ void SchoolController::takeOpening(const SchoolService::Opening& opening)
             m_window.showError(error, FailedOperation::KeepingGrades, m_options.database);
         // A server may return by itself; a file that cannot be used does not.
         if (error.code == core::ErrorCode::ConnectionLost || error.code == core::ErrorCode::ServerRefuses ||
-            error.code == core::ErrorCode::Busy || error.code == core::ErrorCode::OpenElsewhere)
+            error.code == core::ErrorCode::ServerUnknown || error.code == core::ErrorCode::Busy ||
+            error.code == core::ErrorCode::OpenElsewhere)
             m_openWatch.start();
         return;
     }
     m_openWatch.stop();
     m_window.account().setUnreachable({}, m_where, backupMade);
-    m_isOnNetworkDrive = !opening.notice.empty();
+    m_isOnNetworkDrive = !isServer() && !opening.notice.empty();
     const bool wasNew = m_window.account().isNewSchool();
     m_window.account().setNewSchool(opening.isNew);
     m_backups->setEmpty(opening.isNew);

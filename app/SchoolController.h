@@ -54,6 +54,8 @@ public:
     /// Returns the folder of this computer's own files: journals, outbox, key.
     [[nodiscard]] const QString& stationFolder() const { return m_stationFolder; }
     [[nodiscard]] bool isServer() const { return m_address && m_address->isServer(); }
+    /// Returns whether nobody on the network can read or change what is sent to the server.
+    [[nodiscard]] bool isProtected() const { return !m_address || m_address->isProtected(); }
     [[nodiscard]] bool isOnNetworkDrive() const { return m_isOnNetworkDrive; }
     /// Returns why there is no database.
     [[nodiscard]] const core::Error& whyNone() const { return m_whyNone; }

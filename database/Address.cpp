@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/Address.h"
 
-#include <algorithm>
-
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QUrl>
 #include <QUrlQuery>
 
@@ -15,6 +14,7 @@ namespace {
 const QStringList kSchemes{QStringLiteral("postgresql://"), QStringLiteral("postgres://")};
 const QStringList kSslModes{QStringLiteral("disable"), QStringLiteral("allow"),     QStringLiteral("prefer"),
                             QStringLiteral("require"), QStringLiteral("verify-ca"), QStringLiteral("verify-full")};
+const QString kVerifyFull = QStringLiteral("verify-full");
 constexpr int kLastPort = 65535;
 
 QString decoded(const QString& part)
@@ -48,6 +48,23 @@ QString Address::shown() const
            (port > 0 ? QStringLiteral(":%1").arg(port) : QString()) + '/' + coded(name);
 }
 
+bool Address::isOnThisComputer() const
+{
+    static const QRegularExpression loopback(QStringLiteral("^(localhost|::1|127(\\.[0-9]{1,3}){3})$"),
+                                             QRegularExpression::CaseInsensitiveOption);
+    return host.isEmpty() || host.startsWith(u'/') || host.startsWith(u'@') || loopback.match(host).hasMatch();
+}
+
+QString Address::sslModeInForce() const
+{
+    return sslMode.isEmpty() && !isOnThisComputer() ? kVerifyFull : sslMode;
+}
+
+bool Address::isProtected() const
+{
+    return !isServer() || isOnThisComputer() || sslModeInForce() == kVerifyFull;
+}
+
 core::Result<Address> Address::parse(const QString& text)
 {
     Address address;
@@ -78,8 +95,11 @@ core::Result<Address> Address::parse(const QString& text)
     QString server = rest.section('/', 0, 0);
     if (server.contains('@')) {
         const QString who = server.section('@', 0, -2);
-        address.user = decoded(who.section(':', 0, 0));
-        address.password = decoded(who.section(':', 1));
+        if (who.contains(':'))
+            return core::unexpected(core::ErrorCode::OutOfRange,
+                                    "the address of the database holds a password, which others on this computer can "
+                                    "see; write it into the file ~/.pgpass, and leave it out of the address");
+        address.user = decoded(who);
         server = server.section('@', -1);
     }
     // The colons of an IPv6 address are inside brackets.
@@ -96,13 +116,19 @@ core::Result<Address> Address::parse(const QString& text)
     address.host = decoded(server);
     if (address.name.isEmpty() || address.name.contains('/'))
         return tl::unexpected(wrong(QStringLiteral("names no database")));
-    // The server decides which passwords are valid. Control characters, which cannot be typed, are rejected.
-    const auto isControl = [](QChar c) { return c.category() == QChar::Other_Control; };
     const bool isSeen = canBeSeen(address.name.toStdString()) && canBeSeen(address.user.toStdString()) &&
                         canBeSeen(address.host.toStdString());
-    if (!isSeen || std::any_of(address.password.begin(), address.password.end(), isControl))
+    if (!isSeen)
         return tl::unexpected(wrong(QStringLiteral("holds a character that cannot be seen")));
     for (const auto& [key, value] : QUrlQuery(query).queryItems(QUrl::FullyDecoded)) {
+        if (key == u"sslrootcert") {
+            // libpq gets these names in one text, in which Qt uses the semicolon.
+            if (value.isEmpty() || value.contains(u';') || value.contains(u'\'') || value.contains(u'\\'))
+                return tl::unexpected(
+                    wrong(QStringLiteral("has an sslrootcert that names no file, or one with ; ' or \\")));
+            address.sslRootCert = value;
+            continue;
+        }
         if (key != u"sslmode")
             return tl::unexpected(wrong(QStringLiteral("has \"%1\", which Cusp does not know").arg(key)));
         if (!kSslModes.contains(value))

@@ -980,6 +980,10 @@
         <translation>Der Server der Schule lehnt es ab. Fragen Sie bei seiner Betreuung nach: Sein Protokoll oder „cusp db check“ nennt den Grund.</translation>
     </message>
     <message>
+        <source>The school&apos;s server cannot prove that it is the right one, or cannot encrypt the connection, so nothing is sent to it. Ask whoever looks after it to set up its certificate.</source>
+        <translation>Der Server der Schule kann nicht beweisen, dass er der richtige ist, oder die Verbindung nicht verschlüsseln. Deshalb wird nichts an ihn gesendet. Bitten Sie die Person, die ihn betreut, sein Zertifikat einzurichten.</translation>
+    </message>
+    <message>
         <source>Another school is now where yours was. Log in again.</source>
         <translation>Wo Ihre Schule war, ist jetzt eine andere. Melden Sie sich neu an.</translation>
     </message>
@@ -2947,6 +2951,10 @@
 <context>
     <name>app::AdminController</name>
     <message>
+        <source>%1 (not protected on the network: %2)</source>
+        <translation>%1 (im Netz nicht geschützt: %2)</translation>
+    </message>
+    <message>
         <source>%1 was entered.</source>
         <translation>%1 wurde eingetragen.</translation>
     </message>
@@ -3180,6 +3188,10 @@
     <message>
         <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
         <translation>Die Datenbank der Schule liegt auf einem Netzlaufwerk, wo sie nur ein Computer zugleich benutzen kann. Nehmen Sie für mehrere Computer einen PostgreSQL-Server.</translation>
+    </message>
+    <message>
+        <source>The connection to the school&apos;s server is not protected: someone on the network can read or change names and marks. Ask whoever looks after the server.</source>
+        <translation>Die Verbindung zum Server der Schule ist nicht geschützt: Jemand im Netz kann Namen und Noten lesen oder ändern. Wenden Sie sich an die Person, die den Server betreut.</translation>
     </message>
     <message>
         <source>Your password was changed.</source>

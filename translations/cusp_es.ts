@@ -980,6 +980,10 @@
         <translation>El servidor de la escuela lo rechaza. Pregunte a quien lo administra: su registro, o «cusp db check», dice por qué.</translation>
     </message>
     <message>
+        <source>The school&apos;s server cannot prove that it is the right one, or cannot encrypt the connection, so nothing is sent to it. Ask whoever looks after it to set up its certificate.</source>
+        <translation>El servidor de la escuela no puede demostrar que es el correcto, o no puede cifrar la conexión, así que no se le envía nada. Pida a quien se ocupa de él que configure su certificado.</translation>
+    </message>
+    <message>
         <source>Another school is now where yours was. Log in again.</source>
         <translation>Donde estaba su escuela hay ahora otra. Inicie sesión de nuevo.</translation>
     </message>
@@ -2947,6 +2951,10 @@
 <context>
     <name>app::AdminController</name>
     <message>
+        <source>%1 (not protected on the network: %2)</source>
+        <translation>%1 (sin protección en la red: %2)</translation>
+    </message>
+    <message>
         <source>%1 was entered.</source>
         <translation>%1 se registró.</translation>
     </message>
@@ -3180,6 +3188,10 @@
     <message>
         <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
         <translation>La base de datos de la escuela está en una unidad de red, donde solo puede usarla un ordenador a la vez. Para varios ordenadores, use un servidor PostgreSQL.</translation>
+    </message>
+    <message>
+        <source>The connection to the school&apos;s server is not protected: someone on the network can read or change names and marks. Ask whoever looks after the server.</source>
+        <translation>La conexión con el servidor de la escuela no está protegida: alguien en la red puede leer o cambiar nombres y notas. Pregunte a quien se ocupa del servidor.</translation>
     </message>
     <message>
         <source>Your password was changed.</source>

@@ -978,6 +978,10 @@
         <translation>学校のサーバーに拒否されました。サーバーの担当者に問い合わせてください。理由はサーバーのログか、cusp の「db check」でわかります。</translation>
     </message>
     <message>
+        <source>The school&apos;s server cannot prove that it is the right one, or cannot encrypt the connection, so nothing is sent to it. Ask whoever looks after it to set up its certificate.</source>
+        <translation>学校のサーバーは、本物であることを証明できないか、接続を暗号化できません。そのため何も送信しません。サーバーの管理者に、証明書の設定を頼んでください。</translation>
+    </message>
+    <message>
         <source>Another school is now where yours was. Log in again.</source>
         <translation>この学校のあった場所に、別の学校があります。もう一度ログインしてください。</translation>
     </message>
@@ -2938,6 +2942,10 @@
 <context>
     <name>app::AdminController</name>
     <message>
+        <source>%1 (not protected on the network: %2)</source>
+        <translation>%1（ネットワーク上で保護されていません: %2）</translation>
+    </message>
+    <message>
         <source>%1 was entered.</source>
         <translation>%1 を登録しました。</translation>
     </message>
@@ -3169,6 +3177,10 @@
     <message>
         <source>The school&apos;s database is on a network drive, where only one computer at a time can use it. For several computers, use a PostgreSQL server.</source>
         <translation>学校のデータベースはネットワークドライブ上にあり、同時に1台しか使えません。複数台ではPostgreSQLサーバーを使ってください。</translation>
+    </message>
+    <message>
+        <source>The connection to the school&apos;s server is not protected: someone on the network can read or change names and marks. Ask whoever looks after the server.</source>
+        <translation>学校のサーバーとの接続は保護されていません。ネットワーク上の誰かが、名前や成績を読んだり変えたりできます。サーバーの管理者に相談してください。</translation>
     </message>
     <message>
         <source>Your password was changed.</source>

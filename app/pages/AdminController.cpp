@@ -44,10 +44,15 @@ constexpr int kAuditRows = 500;
 constexpr qint64 kLargestRoster = 16 * 1024 * 1024;
 constexpr int kProgressMs = 100;
 
-/// The absolute path of the file, or the URL of the server.
+/// The absolute path of the file, or the URL of the server. Says if the connection to the server is not protected.
 QString placeOf(const database::Address& address)
 {
-    return address.isServer() ? address.shown() : QDir::toNativeSeparators(QFileInfo(address.file).absoluteFilePath());
+    if (!address.isServer())
+        return QDir::toNativeSeparators(QFileInfo(address.file).absoluteFilePath());
+    //: %1: address of the server; %2: an option of the connection, such as sslmode=require
+    return address.isProtected() ? address.shown()
+                                 : AdminController::tr("%1 (not protected on the network: %2)")
+                                       .arg(address.shown(), QStringLiteral("sslmode=") + address.sslMode);
 }
 
 QString why(const core::Error& error)

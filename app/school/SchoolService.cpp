@@ -28,7 +28,7 @@ constexpr int kPatienceMs = 5000;  ///< time without an answer after which unans
 bool mayComeBack(ErrorCode code)
 {
     return code == ErrorCode::ConnectionLost || code == ErrorCode::OutcomeUnknown || code == ErrorCode::ServerRefuses ||
-           code == ErrorCode::Busy || code == ErrorCode::FileMissing;
+           code == ErrorCode::ServerUnknown || code == ErrorCode::Busy || code == ErrorCode::FileMissing;
 }
 
 /// Returns whether this error means that the database file is damaged, so that opening it again is useless.

@@ -32,6 +32,7 @@ enum class ErrorCode {
     ConnectionLost,  ///< the server does not respond
     OutcomeUnknown,  ///< the connection was lost during a commit: it may have been made or not
     ServerRefuses,   ///< the server responds with a refusal that its administrator must resolve
+    ServerUnknown,   ///< the server could not prove that it is the right one, or cannot encrypt the connection
     OtherSchool,     ///< the database is not that of the school used before
     NotAllowed,      ///< the role of the user does not allow it
     Disabled,        ///< the account was disabled after the login

@@ -137,6 +137,22 @@ core::Error noFolder(const QString& path)
                                            "; choose another place, or see that this folder can be written"};
 }
 
+/// Returns the options of libpq for encryption. Certificates that vouch for the server are those in libpq's own file
+/// (~/.postgresql/root.crt) or, where there is none, those that the computer trusts, as for a web site.
+QString sslOptions(const Address& address)
+{
+    const QString mode = address.sslModeInForce();
+    QString options = mode.isEmpty() ? QString() : QStringLiteral(";sslmode=") + mode;
+    QString certificates = address.sslRootCert;
+    if (certificates.isEmpty() && mode.startsWith(QStringLiteral("verify")) &&
+        !qEnvironmentVariableIsSet("PGSSLROOTCERT") &&
+        !QFileInfo::exists(QDir::home().filePath(QStringLiteral(".postgresql/root.crt"))))
+        certificates = QStringLiteral("/etc/ssl/certs/ca-certificates.crt");
+    if (!certificates.isEmpty())
+        options += QStringLiteral(";sslrootcert='%1'").arg(certificates);
+    return options;
+}
+
 }  // namespace
 
 bool isReadOnly(const QString& file)
@@ -243,14 +259,18 @@ core::Status Database::connect()
         db.setHostName(m_address.host);
         db.setDatabaseName(m_address.name);
         db.setUserName(m_address.user);
-        db.setPassword(m_address.password);
         if (m_address.port > 0)
             db.setPort(m_address.port);
         // Detects a lost connection within about ten seconds instead of two hours.
         db.setConnectOptions(QStringLiteral("connect_timeout=%1;keepalives_idle=5;keepalives_interval=2;"
                                             "keepalives_count=3;tcp_user_timeout=10000;application_name=cusp%2")
                                  .arg(kConnectTimeoutS)
-                                 .arg(m_address.sslMode.isEmpty() ? QString() : ";sslmode=" + m_address.sslMode));
+                                 .arg(sslOptions(m_address)));
+        if (!m_address.isProtected())
+            m_notice = "database " + m_address.shown().toStdString() +
+                       ": the connection is not protected (sslmode=" + m_address.sslMode.toStdString() +
+                       "): who is on the network can read or change names and marks; docs/security.md shows how to "
+                       "set up verify-full";
     } else {
         db.setDatabaseName(m_address.file);
         db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(patience));

@@ -98,6 +98,12 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
         (said.find("too many c") != std::string::npos || said.find("connection slots") != std::string::npos))
         return {ErrorCode::ServerRefuses, head + "the server has no connection left (" + said +
                                               "); try again in a moment, or let its administrator allow more"};
+    // libpq, not the server, has ended the connection.
+    if (isConnecting && said.find("FATAL") == std::string::npos &&
+        (said.find("SSL") != std::string::npos || said.find("certificate") != std::string::npos))
+        return {ErrorCode::ServerUnknown,
+                head + "the server cannot prove that it is the right one, or cannot encrypt the connection (" + said +
+                    "); set up its certificate as docs/security.md shows, or ask for less with ?sslmode="};
     // The server has refused the connection. On an existing connection, it only reports that it terminates.
     if (isConnecting && said.find("FATAL") != std::string::npos &&
         said.find("terminating connection") == std::string::npos)

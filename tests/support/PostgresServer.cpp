@@ -6,6 +6,8 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QUrl>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 namespace support {
@@ -69,23 +71,48 @@ bool PostgresServer::start()
 {
     // Tests do not need data on the disk. A benchmark syncs like a school's server.
     const QString sync = qEnvironmentVariableIsSet("CUSP_FSYNC") ? "fsync=on" : "fsync=off";
-    const QStringList words =
-        asUser(binaries() + "postgres") +
-        QStringList{"-D", m_folder.filePath("data"), "-k", m_folder.path(),         "-h", "", "-c", sync,
-                    "-c", "max_connections=200",     "-c", "log_min_messages=panic"};
+    QStringList words = asUser(binaries() + "postgres") +
+                        QStringList{"-D", m_folder.filePath("data"), "-k", m_folder.path(),         "-c", sync,
+                                    "-c", "max_connections=200",     "-c", "log_min_messages=panic"};
+    words += m_port == 0
+                 ? QStringList{"-h", ""}
+                 : QStringList{"-h", "*", "-p", QString::number(m_port), "-c", m_isEncrypted ? "ssl=on" : "ssl=off"};
     m_server.setWorkingDirectory(m_folder.path());
     m_server.setStandardErrorFile(QProcess::nullDevice());
     m_server.start(words.first(), words.mid(1));
     QElapsedTimer since;
     since.start();
     while (since.elapsed() < kLongMs && m_server.state() != QProcess::NotRunning) {
-        if (run(binaries() + "psql", {"-h", m_folder.path(), "-U", "school", "-d", "postgres", "-c", "SELECT 1"})) {
+        if (run(binaries() + "psql", {"-h", m_folder.path(), "-p", QString::number(m_port == 0 ? 5432 : m_port), "-U",
+                                      "school", "-d", "postgres", "-c", "SELECT 1"})) {
             m_fault.clear();  // discards the errors of connecting too early
             return true;
         }
         m_server.waitForFinished(50);  // waits a little before the next attempt, unless the server ends
     }
     return false;
+}
+
+bool PostgresServer::listen(bool isEncrypted)
+{
+    const QString data = m_folder.filePath("data");
+    const int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    socklen_t size = sizeof(address);
+    const bool isBound = bind(probe, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
+                         getsockname(probe, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+    close(probe);
+    stop();
+    m_isEncrypted = isEncrypted;
+    m_port = ntohs(address.sin_port);
+    return isBound &&
+           run("openssl",
+               {"req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=localhost", "-addext",
+                "subjectAltName=DNS:localhost", "-keyout", data + "/server.key", "-out", data + "/server.crt"}) &&
+           run("sh", {"-c", "echo 'host all all all trust' >> '" + data + "/pg_hba.conf' && chmod 600 '" + data +
+                                "/server.key'"}) &&
+           start();
 }
 
 void PostgresServer::end(int signal)

@@ -26,6 +26,13 @@ public:
     /// @param like  address of a database to copy, which has no connections; empty: an empty one
     [[nodiscard]] QString newDatabase(const QString& like = {});
 
+    /// Restarts the server so that it takes connections from the network as well. Its certificate, signed by itself, is
+    /// for "localhost". Returns false if that fails; fault() gives the reason.
+    [[nodiscard]] bool listen(bool isEncrypted);
+    /// Returns the file of that certificate, and the port on which the server listens.
+    [[nodiscard]] QString certificate() const { return m_folder.filePath("data/server.crt"); }
+    [[nodiscard]] int port() const { return m_port; }
+
     /// Stops the server at once, like a cable that is pulled. start() starts it again.
     void kill();
     /// Stops the server like an administrator: it closes its connections properly.
@@ -41,6 +48,8 @@ private:
     QString m_fault;
     QProcess m_server;
     int m_databases = 0;
+    bool m_isEncrypted = false;
+    int m_port = 0;  ///< 0: it listens on its socket only
 };
 
 }  // namespace support

@@ -207,6 +207,11 @@ QString reason(core::ErrorCode code, FailedOperation failed)
     case core::ErrorCode::ServerRefuses:
         return QCoreApplication::translate("Error", "The school's server says no. Ask whoever looks after it: its log, "
                                                     "or “cusp db check”, says why.");
+    case core::ErrorCode::ServerUnknown:
+        return QCoreApplication::translate("Error",
+                                           "The school's server cannot prove that it is the right one, or cannot "
+                                           "encrypt the connection, so nothing is sent to it. Ask whoever looks "
+                                           "after it to set up its certificate.");
     case core::ErrorCode::OtherSchool:
         return QCoreApplication::translate("Error", "Another school is now where yours was. Log in again.");
     case core::ErrorCode::NotAllowed:
