@@ -150,6 +150,21 @@ QString connectionLost(FailedOperation failed)
     return QCoreApplication::translate("Error", "The school's server does not answer. Cusp tries again by itself.");
 }
 
+QString openElsewhere()
+{
+    return QCoreApplication::translate(
+        "Error", "The school's data lie on a network drive, and another Cusp, here or at another computer, has them "
+                 "open. Only one at a time can: close that one. For several computers an admin keeps them on a "
+                 "PostgreSQL server.");
+}
+
+QString serverUnknown()
+{
+    return QCoreApplication::translate("Error", "The school's server cannot prove that it is the right one, or cannot "
+                                                "encrypt the connection, so nothing is sent to it. Ask whoever looks "
+                                                "after it to set up its certificate.");
+}
+
 QString reason(core::ErrorCode code, FailedOperation failed)
 {
     const auto andRemedy = [failed](const QString& fault) { return fault + u' ' + remedy(failed); };
@@ -192,11 +207,7 @@ QString reason(core::ErrorCode code, FailedOperation failed)
         return QCoreApplication::translate(
             "Error", "Another program is writing to the school's database. Try again in a moment.");
     case core::ErrorCode::OpenElsewhere:
-        return QCoreApplication::translate(
-            "Error",
-            "The school's data lie on a network drive, and another Cusp, here or at another computer, has them "
-            "open. Only one at a time can: close that one. For several computers an admin keeps them on a "
-            "PostgreSQL server.");
+        return openElsewhere();
     case core::ErrorCode::ConnectionLost:
         return connectionLost(failed);
     case core::ErrorCode::OutcomeUnknown:
@@ -208,10 +219,7 @@ QString reason(core::ErrorCode code, FailedOperation failed)
         return QCoreApplication::translate("Error", "The school's server says no. Ask whoever looks after it: its log, "
                                                     "or “cusp db check”, says why.");
     case core::ErrorCode::ServerUnknown:
-        return QCoreApplication::translate("Error",
-                                           "The school's server cannot prove that it is the right one, or cannot "
-                                           "encrypt the connection, so nothing is sent to it. Ask whoever looks "
-                                           "after it to set up its certificate.");
+        return serverUnknown();
     case core::ErrorCode::OtherSchool:
         return QCoreApplication::translate("Error", "Another school is now where yours was. Log in again.");
     case core::ErrorCode::NotAllowed:
