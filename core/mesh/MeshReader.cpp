@@ -58,10 +58,8 @@ std::string otherKind(std::string_view bytes, MeshFormat format)
     if (bytes.starts_with("PK\x03\x04"))
         return "is a ZIP archive; unpack it first";
     using namespace std::string_view_literals;
-    for (const std::string_view archive : {"BZh"sv,
-                                           "\xFD"
-                                           "7zXZ\0"sv,
-                                           "\x28\xB5\x2F\xFD"sv, "7z\xBC\xAF\x27\x1C"sv, "Rar!\x1A\x07"sv})
+    for (const std::string_view archive :
+         {"BZh"sv, "\xFD\x37zXZ\0"sv, "\x28\xB5\x2F\xFD"sv, "7z\xBC\xAF\x27\x1C"sv, "Rar!\x1A\x07"sv})
         if (bytes.starts_with(archive))
             return "is an archive; unpack it first";
     for (const std::string_view other : {"%PDF"sv, "\x89PNG"sv, "\xFF\xD8\xFF"sv, "glTF"sv})

@@ -84,6 +84,34 @@ private slots:
         QVERIFY(pictures::difference(before.copy(first), after.copy(first), 12).pixels > 0);
     }
 
+    /// The blood is drawn as the patches arrive, not only in a picture of the whole tooth.
+    void anOpenedPulpBleedsAtOnce()
+    {
+        look(0.0, 89.0);
+        std::size_t highest = 0;
+        for (std::size_t k = 0; k < m_tooth->layers.size(); ++k)
+            if (hasPulp(*m_tooth, k) &&
+                (highest == 0 || m_tooth->layers[k].pulpRoof > m_tooth->layers[highest].pulpRoof))
+                highest = k;
+        const int side = m_tooth->grid.side;
+        const glm::dvec2 place =
+            m_tooth->grid.nodeMm(static_cast<int>(highest) % side, static_cast<int>(highest) / side);
+        const float roofMm = m_tooth->layers[highest].pulpRoof;
+        const auto redPixels = [&](float floorMm) {
+            static_cast<void>(m_links->patches.tryPush(pictures::cutTile(*m_tooth, place, floorMm, m_generation)));
+            const QImage image = picture();
+            int red = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x) {
+                    const QColor colour = image.pixelColor(x, y);
+                    red += colour.red() > 40 && colour.red() > 3 * colour.green() ? 1 : 0;
+                }
+            return red;
+        };
+        QCOMPARE(redPixels(roofMm + 0.05F), 0);
+        QVERIFY(redPixels(roofMm - 0.001F) > 20);
+    }
+
     void aGamepadMovesTurnsAndPresses()
     {
         const auto input = [this] { return m_links->pointer.latest(); };

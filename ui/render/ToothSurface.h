@@ -57,6 +57,15 @@ public:
         core::terrain::NodeRect blood;
         std::vector<Stretch> triangles;
 
+        /// Adds the parts that a later refresh() changed.
+        void add(const Changes& other)
+        {
+            heights = united(heights, other.heights);
+            normals = united(normals, other.normals);
+            light = united(light, other.light);
+            blood = united(blood, other.blood);
+            triangles.insert(triangles.end(), other.triangles.begin(), other.triangles.end());
+        }
         /// Returns the size in bytes of these rectangles in all their maps, without the triangles.
         [[nodiscard]] std::size_t bytes() const;
     };

@@ -768,10 +768,7 @@ void ToothView::takeAllChanges()
 
 void ToothView::takeChanges(const render::ToothSurface::Changes& changes)
 {
-    m_changes.triangles.insert(m_changes.triangles.end(), changes.triangles.begin(), changes.triangles.end());
-    m_changes.heights = united(m_changes.heights, changes.heights);
-    m_changes.normals = united(m_changes.normals, changes.normals);
-    m_changes.light = united(m_changes.light, changes.light);
+    m_changes.add(changes);
     redraw();
 }
 

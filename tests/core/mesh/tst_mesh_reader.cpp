@@ -479,10 +479,7 @@ private slots:
             "decimal comma");
         add("stl: UTF-16", "\xFF\xFEs", ErrorCode::WrongKind, "UTF-16");
         add("stl: gzip", "\x1F\x8B\x08", ErrorCode::WrongKind, "gzip");
-        for (const char* archive : {"BZh9",
-                                    "\xFD"
-                                    "7zXZ",
-                                    "\x28\xB5\x2F\xFD", "7z\xBC\xAF\x27\x1C", "Rar!\x1A\x07"})
+        for (const char* archive : {"BZh9", "\xFD\x37zXZ", "\x28\xB5\x2F\xFD", "7z\xBC\xAF\x27\x1C", "Rar!\x1A\x07"})
             add("stl: an archive", std::string(archive) + '\0', ErrorCode::WrongKind, "archive");
         for (const char* other : {"%PDF-1.4", "\x89PNG\r\n", "\xFF\xD8\xFF\xE0", "glTF"})
             add("stl: something else", other, ErrorCode::WrongKind, "no mesh");
