@@ -91,7 +91,8 @@ LengthUnit guessUnit(const Sides& sides, std::string& reason, std::vector<std::s
     for (const LengthUnit& unit : known) {
         if (!sides.fit(unit) || (unit.name == "cm" && isInches))
             continue;
-        reason = "guessed: the longest side of " + inWords(size) + " units is a tooth's size in " + unit.name;
+        reason = "guessed: the longest side of " + inWords(size) + " units is a tooth's size in " +
+                 (unit.name == "in" ? "inches" : unit.name);
         if (unit.name == "mm")
             return unit;
         std::string rival;
@@ -99,9 +100,9 @@ LengthUnit guessUnit(const Sides& sides, std::string& reason, std::vector<std::s
             rival = ", as inches it would be " + inWords(size * kMmPerInch) + " mm";
         else if (unit.name == "in" && sides.fit(known[1]))
             rival = ", as cm it would be " + inWords(size * 10.0) + " mm";
-        warnings.push_back("the file states no unit and " + unit.name + " was guessed (" + inWords(unit.mmPerUnit) +
-                           " mm a unit, longest side " + inWords(size * unit.mmPerUnit) + " mm" + rival +
-                           "); give --unit if you know better");
+        warnings.push_back("the file states no unit and " + (unit.name == "in" ? "inches were" : unit.name + " was") +
+                           " guessed (" + inWords(unit.mmPerUnit) + " mm a unit, longest side " +
+                           inWords(size * unit.mmPerUnit) + " mm" + rival + "); give --unit if you know better");
         return unit;
     }
     if (size >= kMostSizeMm && size < kMostGivenMm) {
