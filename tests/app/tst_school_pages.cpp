@@ -532,13 +532,16 @@ private slots:
     void lessonsAreChangedByTeachers()
     {
         const auto mayEdit = [this] { return actions().editLesson->isVisible() && actions().editLesson->isEnabled(); };
+        const auto isFolderOffered = [this] { return child<QPushButton>("ownLessons")->isVisible(); };
         startAs("sam");
         WAIT_FOR(lessonsShown() > 2);
         QVERIFY(!actions().editLesson->isVisible() && !actions().editLesson->isEnabled());
+        QVERIFY(!isFolderOffered());
         switchTo("ines");
         waitForPage<ClassPage>();  // the first page of a teacher
         actions().lessons->trigger();
         WAIT_FOR(mayEdit());
+        QVERIFY(isFolderOffered());
         logOut();
         beGuest();
         actions().lessons->trigger();
