@@ -6,7 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
+#include <future>
+#include <iterator>
+#include <memory>
+#include <thread>
 
 #include <QCoreApplication>
 #include <QDir>
@@ -21,6 +26,7 @@ namespace {
 
 const QString kX11 = QStringLiteral("xcb");
 const QString kWayland = QStringLiteral("wayland");
+constexpr std::chrono::seconds kPatience(10);
 constexpr const char* kChoice = "QT_QPA_PLATFORM";
 
 /// Returns the name of a platform, without the options behind a colon.
@@ -60,10 +66,17 @@ QString whyNoX11()
     const auto disconnect = reinterpret_cast<void (*)(Connection*)>(library.resolve("xcb_disconnect"));
     if (!hasPlugin(kX11) || connectTo == nullptr || errorOf == nullptr || disconnect == nullptr)
         return QStringLiteral("Qt cannot open windows under X11 (Debian package libqt6gui6)");
-    Connection* const connection = connectTo(nullptr, nullptr);  // never null
-    const bool isThere = errorOf(connection) == 0;
-    disconnect(connection);
-    return isThere ? QString() : QStringLiteral("no X server lets this program in at DISPLAY=%1").arg(display);
+    // The other end of a frozen tunnel (ssh -X) accepts the connection and never answers.
+    const auto isThere = std::make_shared<std::promise<bool>>();
+    std::future<bool> answer = isThere->get_future();
+    std::thread([=] {
+        Connection* const connection = connectTo(nullptr, nullptr);  // never null
+        isThere->set_value(errorOf(connection) == 0);
+        disconnect(connection);
+    }).detach();
+    if (answer.wait_for(kPatience) != std::future_status::ready)
+        return QStringLiteral("the X server at DISPLAY=%1 does not answer").arg(display);
+    return answer.get() ? QString() : QStringLiteral("no X server lets this program in at DISPLAY=%1").arg(display);
 }
 
 /// Returns why no window can be opened on the Wayland server that the environment names; empty if one can.

@@ -161,10 +161,10 @@ public:
         Line line;
         line.number = row.line;
         line.isShort = row.fields.size() < widest();
-        // Spreadsheets write empty columns behind the last one.
-        const bool hasMore =
-            std::any_of(row.fields.begin() + static_cast<std::ptrdiff_t>(std::min(widest(), row.fields.size())),
-                        row.fields.end(), [](const std::string& field) { return !trimmed(field).empty(); });
+        // Spreadsheets write empty columns behind the last one. Text in a column without a name must not get lost.
+        bool hasMore = false;
+        for (std::size_t k = 0; k < row.fields.size(); ++k)
+            hasMore = hasMore || (!isNamed(k) && !trimmed(row.fields[k]).empty());
         if (hasMore)
             fault(row, "", "has more fields than the first line names", Kind::Fields);
         line.who = {at(row, "username"), at(row, "given_name"), at(row, "family_name"), Role::Student};
@@ -202,6 +202,10 @@ private:
         for (const auto& [name, place] : m_places)
             most = std::max(most, place + 1);
         return most;
+    }
+    [[nodiscard]] bool isNamed(std::size_t place) const
+    {
+        return std::any_of(m_places.begin(), m_places.end(), [place](const auto& one) { return one.second == place; });
     }
     [[nodiscard]] std::string at(const CsvRow& row, const char* column) const
     {

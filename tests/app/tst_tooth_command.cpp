@@ -5,6 +5,9 @@
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include "tests/support/Program.h"
 #include "tests/support/Solids.h"
@@ -147,6 +150,21 @@ private slots:
         expectRefusal(runCusp({"--tooth", "36"}, environment), words);
         const Ending wrong = runCusp({"--theme", "blue"}, environment);
         expectRefusal(wrong, "--theme", 2);
+    }
+    /// The other end of a frozen tunnel accepts a connection and says nothing.
+    void aServerThatNeverAnswersIsNoDisplay()
+    {
+        const int server = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t size = sizeof(address);
+        constexpr int kFirstPort = 6000;  // of display 0
+        QVERIFY(bind(server, reinterpret_cast<const sockaddr*>(&address), size) == 0 && listen(server, 4) == 0 &&
+                getsockname(server, reinterpret_cast<sockaddr*>(&address), &size) == 0);
+        const QString display = QString("127.0.0.1:%1").arg(ntohs(address.sin_port) - kFirstPort);
+        expectRefusal(runCusp({"--tooth", "36"}, {"DISPLAY=" + display}), "does not answer");
+        close(server);
     }
     void platformOfTheCommandLine()
     {

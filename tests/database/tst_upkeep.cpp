@@ -423,7 +423,8 @@ private slots:
             QCOMPARE(read->people[0].classes, std::vector<std::string>{"A"});
         }
         for (const char* broken : {"", "name\nx\n", "username,username\nx,y\n", "username\n\"x\n", "username\n\"x\"y\n",
-                                   "username\n\xFF\xFE\n", "username,role\nok1,student\nok2,boss\n"}) {
+                                   "username\n\xFF\xFE\n", "username,role\nok1,student\nok2,boss\n",
+                                   "username,,class\nok1,lost,A\n", "username,class,\nok1,A,lost\n"}) {
             const auto whole = importRoster(rig.school(), rig.admin, broken, false);
             QVERIFY2(!whole || !whole->faults.empty(), broken);
         }
