@@ -80,6 +80,11 @@ std::string otherKind(std::string_view bytes, MeshFormat format)
     std::string_view start = withoutMark(bytes).substr(0, kBytesThatTell);
     if (format != MeshFormat::Stl && looksLikeAsciiStl(start))
         return "is an STL file by its content; rename it so that it ends in .stl";
+    const bool isText = start.find('\0') == std::string_view::npos;
+    const bool isObj = isText && !isPly && !looksLikeAsciiStl(start) &&
+                       (start.starts_with("v ") || start.find("\nv ") != std::string_view::npos);
+    if (format != MeshFormat::Obj && isObj)
+        return "is an OBJ file by its content; rename it so that it ends in .obj";
     return {};
 }
 

@@ -492,6 +492,8 @@ private slots:
         }
         add("stl: ZIP", "PK\x03\x04", ErrorCode::WrongKind, "ZIP");
         add("stl: a PLY", "ply\nformat ascii 1.0\n", ErrorCode::WrongKind, "ends in .ply");
+        add("stl: an OBJ", "# made by hand\nv 0 0 0\nv 1 0 0\n", ErrorCode::WrongKind, "ends in .obj");
+        add("ply: an OBJ", "v 0 0 0\n", ErrorCode::WrongKind, "ends in .obj");
         add("obj: an STL", solid, ErrorCode::WrongKind, "ends in .stl");
         add("obj: decimal commas", "v 0,5 0 0\n", ErrorCode::BadNumber, "decimal comma");
 
