@@ -81,6 +81,11 @@ private slots:
 
     void idealColoursTellWhatIsToGoAndWhatIsTooDeep()
     {
+        // The blood of an opened pulp would cover the colours.
+        const auto withoutPulp = std::make_shared<core::terrain::ToothAnatomy>(*support::syntheticMolar());
+        for (core::terrain::ColumnLayers& column : withoutPulp->layers)
+            column.pulpRoof = column.pulpFloor;
+        show(withoutPulp);
         look(0.0, 88.0);
         const auto ideal = core::grading::idealCavity(m_surface->anatomy());
         QVERIFY(ideal != nullptr);
