@@ -396,7 +396,6 @@ int simulateCommand(const QStringList& arguments)
     work.anatomy = tooth->anatomy;
     std::vector<std::string> warnings = tooth->report.warnings;
     const auto deep = tooDeep(work.path, tooth->report.highMm.z);
-    const bool isTooDeep = deep.has_value();
     if (deep)
         warnings.push_back(*deep);
 
@@ -408,7 +407,7 @@ int simulateCommand(const QStringList& arguments)
     const auto outcome = run(work, parser.value(QStringLiteral("out")), ignored);
     if (!outcome)
         return failed(outcome.error());
-    if (ignored.isInside && !isTooDeep)
+    if (ignored.isInside && !deep)
         warnings.emplace_back(
             "the bur begins inside the tooth: it feels and cuts nothing until it has been outside; begin "
             "the path above it");

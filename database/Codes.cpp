@@ -26,7 +26,8 @@ core::Status writeCodes(const QString& path, const std::vector<RosterPerson>& pe
     if (!file.flush() || !file.commit())
         return core::unexpected(ErrorCode::FileUnwritable,
                                 "the codes could not be written to " + path.toStdString() + "; make room on the disk");
-    core::bringToDisk(QFileInfo(path).absolutePath().toStdU16String());  // syncs the name of the new file
+    core::bringToDisk(
+        QFileInfo(path).absolutePath().toStdU16String());  // the folder, which holds the name of the new file
     return {};
 }
 

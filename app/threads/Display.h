@@ -6,10 +6,10 @@
 
 namespace app {
 
-/// Finds a display for a window, and sets QT_QPA_PLATFORM so that Qt opens this display. Qt alone would try only its
-/// favourite and abort if that one does not answer. Call it before there is a QGuiApplication, from one thread.
-/// @param asked  platforms that the user asks for, as in QT_QPA_PLATFORM; empty: none in particular
-/// @return nothing if there is a display; otherwise why there is none, a clause in English
+/// Finds a display for a window, and sets QT_QPA_PLATFORM so that Qt opens this display. Otherwise Qt would try a
+/// single display and abort if it does not answer. Call this before a QGuiApplication is created, from one thread.
+/// @param asked  the platforms that the user prefers, as in QT_QPA_PLATFORM; empty: no preference
+/// @return an empty string if there is a display; otherwise the reason why there is none, in English
 [[nodiscard]] QString whyNoDisplay(const QString& asked);
 
 /// Whether there is a display on which a tooth can be drawn. Otherwise as whyNoDisplay().

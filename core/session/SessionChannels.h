@@ -78,9 +78,9 @@ struct SessionState
     int strokes = 0;                    ///< made since the tooth was opened
     terrain::PerMaterial wholeMm3{};    ///< volumes of the uncut tooth
     terrain::PerMaterial removedMm3{};  ///< compared with the uncut tooth, after undo
-    double overcutMm3 = 0.0;      ///< part of removedMm3 that costs points: enamel and dentin beside or below the decay
-    double pulpExposedMm2 = 0.0;  ///< area of opened pulp, seen from above, after undo
-    bool perforated = false;      ///< there is a hole through the tooth, after undo
+    double overcutMm3 = 0.0;            ///< enamel and dentin removed beside or below the decay, which costs points
+    double pulpExposedMm2 = 0.0;        ///< area of opened pulp, seen from above, after undo
+    bool perforated = false;            ///< there is a hole through the tooth, after undo
     double recordedS = 0.0;
 };
 

@@ -22,7 +22,8 @@ using KeepCodes = std::function<core::Status(const std::vector<RosterPerson>& pe
 /// @param dryRun  returns the outcome without codes, and changes nothing
 /// @param asSeen  the outcome of the dry run. If the import would now have another outcome, it does nothing
 ///                (ChangedSince). Null: there was no dry run
-/// @param keepCodes  called with everybody in the list before their codes become valid. If it fails, nothing is changed
+/// @param keepCodes  saves the codes of the new people. Called before the codes become valid; if it returns an error,
+///                   the import changes nothing
 [[nodiscard]] core::Result<RosterOutcome> importRoster(const DatabaseContext& school, const Login& session,
                                                        std::string_view csv, bool dryRun,
                                                        const RosterOutcome* asSeen = nullptr,

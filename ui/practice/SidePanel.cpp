@@ -373,7 +373,7 @@ void SidePanel::setFigures(const core::servo::ServoState& servo, const core::ses
             removed += session.removedMm3.at(at(Material::Dentin));
         m_removed.at(at(material))->setText(text::number(removed, 2), QStringLiteral("mm³"));
     }
-    // The grade counts the area. A small opening has an area long before its volume is 0.01 mm³.
+    // The grade uses the opened area. The volume of a small opening would be shown as 0.00 mm³.
     kit::TabularDigitsLabel* pulp = m_removed.at(at(Material::Pulp));
     pulp->setText(text::number(session.pulpExposedMm2, 2), QStringLiteral("mm²"));
     pulp->setColour(session.pulpExposedMm2 > 0.0 ? tone.harmText : QColor());

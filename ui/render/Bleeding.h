@@ -26,7 +26,7 @@ public:
     /// Finds the blood around nodes whose height has changed. Returns the nodes on which the blood has changed.
     [[nodiscard]] core::terrain::NodeRect update(const std::vector<float>& tops, const core::terrain::NodeRect& rect);
 
-    /// Blood on each node, 0 to 255. 255: covered.
+    /// Returns the amount of blood on each node: 0 is none, 255 covers the surface.
     [[nodiscard]] const std::vector<std::uint8_t>& nodes() const { return m_nodes; }
 
 private:
