@@ -52,6 +52,7 @@ SchoolController::~SchoolController()
 
 void SchoolController::close()
 {
+    m_checker.reset();
     m_backups.reset();
     m_uploader.reset();
     m_school.service = nullptr;
@@ -79,6 +80,7 @@ bool SchoolController::openDatabase()
     m_backups = std::make_unique<BackupSchedule>(*m_service, *address, m_stationFolder);
     m_backups->setParent(this);
     connectService();
+    beginChecks();
     connect(m_backups.get(), &BackupSchedule::failed, this, [this](const core::Error& error) {
         if (m_school.user.role() == database::Role::Admin)
             m_window.showMessage(
@@ -110,6 +112,16 @@ void SchoolController::connectService()
                "earlier name, \"cusp db send\" brings them here.",
                nullptr, count)
                 .arg(schools));
+    });
+}
+
+/// Marks attempts again while a teacher or an admin is logged in.
+void SchoolController::beginChecks()
+{
+    m_checker = std::make_unique<AttemptChecker>(m_school);
+    connect(m_checker.get(), &AttemptChecker::doubted, this, [this] {
+        m_window.showMessage(tr("An attempt does not match its recording, so its score does not count. It is marked in "
+                                "the student's attempts and in the table of the class."));
     });
 }
 

@@ -9,6 +9,7 @@
 #include <QString>
 #include <QTimer>
 
+#include "app/school/AttemptChecker.h"
 #include "app/school/AttemptUploader.h"
 #include "app/school/BackupSchedule.h"
 #include "app/school/SchoolService.h"
@@ -74,6 +75,7 @@ signals:
 
 private:
     void connectService();
+    void beginChecks();
     void makeStationFolder() const;
     void takeOpening(const SchoolService::Opening& opening);
     void restore(const database::Login& who);
@@ -91,6 +93,7 @@ private:
     std::unique_ptr<SchoolService> m_service;
     std::unique_ptr<AttemptUploader> m_uploader;
     std::unique_ptr<BackupSchedule> m_backups;
+    std::unique_ptr<AttemptChecker> m_checker;
 };
 
 }  // namespace app

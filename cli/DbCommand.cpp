@@ -271,7 +271,8 @@ Delivery deliverWaiting(const Address& address, const OpenSchool& open, bool isO
         const auto letter = app::readLetter(letters, file);
         if (letter && !isOfAll && !letter->school.isEmpty() && letter->school != school)
             continue;
-        const core::Status done = letter ? letter->deliver(*open.school) : tl::unexpected(letter.error());
+        const core::Status done =
+            letter ? letter->deliver(*open.school, letter->check()) : tl::unexpected(letter.error());
         if (done) {
             // If several programs deliver the file at once, only the one that removes it counts it.
             if (address.isServer() ? letters.remove(file) : letters.keepArrived(file))

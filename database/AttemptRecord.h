@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "database/Doubt.h"
 #include "database/Login.h"
 
 namespace database {
@@ -53,11 +54,18 @@ struct AttemptRecord
     std::string program;  ///< version of Cusp
     int meanForceMn = 0;  ///< while cutting, millinewtons
     int peakForceMn = 0;
+    Doubt doubt = Doubt::None;
     bool operator==(const AttemptRecord&) const = default;
+
+    /// Returns whether the attempt counts: it is not in doubt, or a teacher has given it a score.
+    [[nodiscard]] bool counts() const { return doubt == Doubt::None || givenTenths; }
 
     /// Returns the score that counts: the instructor's if there is one, otherwise the computed score.
     [[nodiscard]] int countingTenths() const { return givenTenths.value_or(scoreTenths); }
-    [[nodiscard]] bool countsAsPassed() const { return givenTenths ? *givenTenths >= passMarkTenths : passed; }
+    [[nodiscard]] bool countsAsPassed() const
+    {
+        return givenTenths ? *givenTenths >= passMarkTenths : passed && doubt == Doubt::None;
+    }
 };
 
 /// Selects attempts of a person.

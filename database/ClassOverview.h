@@ -45,6 +45,7 @@ struct MatrixCell
     int withoutScore = 0;                    ///< exams that were begun, which also count as attempts
     std::optional<int> limitElsewhere = {};  ///< highest limit in the student's other classes; 0: no limit
     std::string begunUtc = {};               ///< begin of the newest exam without a score, which may still run
+    int inDoubt = 0;                         ///< attempts that do not match their recordings and have no given score
     bool operator==(const MatrixCell&) const = default;
 
     /// Returns whether the student has not passed and has no attempt left, as sql::attemptsLeft() reports.

@@ -31,6 +31,7 @@ constexpr std::array<std::array<Reach, kRoles>, kOperations> kTable{{
     {kNone, kNone, kClasses, kNone},    // Comment
     {kNone, kNone, kOwn, kNone},        // WithdrawComment
     {kNone, kNone, kClasses, kNone},    // Override
+    {kNone, kNone, kClasses, kAll},     // CheckAttempt
     {kNone, kNone, kClasses, kAll},     // ReadClass
     {kNone, kNone, kClasses, kAll},     // ExportAttempts
     {kAll, kAll, kAll, kAll},           // ListPresets

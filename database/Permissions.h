@@ -35,7 +35,8 @@ enum class Operation : std::uint8_t {
     Comment,
     WithdrawComment,
     Override,
-    ReadClass,  ///< the overview of a class
+    CheckAttempt,  ///< mark its recording again, and note whether the score is what the station reported
+    ReadClass,     ///< the overview of a class
     ExportAttempts,
     ListPresets,
     AddPreset,

@@ -64,8 +64,10 @@ struct ClassAssignment
     std::int64_t id = 0;  ///< assigned by the database
     ClassId classId;
     std::string lessonId;
-    std::string dueUtc;    ///< "2026-11-27T23:00:00Z"; empty: no due date
-    int attemptLimit = 0;  ///< 0: no limit
+    std::string dueUtc;           ///< "2026-11-27T23:00:00Z"; empty: no due date
+    int attemptLimit = 0;         ///< 0: no limit
+    std::string lessonHash = {};  ///< version for new attempts (lessons::Lesson::hash); empty: none was stored
+    int lessonVersion = 0;        ///< its number, as stored; ignored by assign()
     bool operator==(const ClassAssignment&) const = default;
 };
 

@@ -48,6 +48,11 @@ public:
     /// Returns the exams that a person has begun and that have no score, newest first.
     [[nodiscard]] virtual core::Result<std::vector<ExamStart>> examsWithoutScore(const Login& who,
                                                                                  PersonId person) const = 0;
+    /// Returns the newest attempts that no teacher or admin has checked yet (database/AttemptCheck.h), newest first.
+    /// Teachers: of their classes. Admins.
+    [[nodiscard]] virtual core::Result<std::vector<AttemptId>> toCheck(const Login& who, int limit) const = 0;
+    /// Records the result of a check.
+    [[nodiscard]] virtual core::Status noteCheck(const Login& who, AttemptId id, Doubt found) = 0;
     /// Returns the scores of a person's classmates at a lesson, by attempt. Empty for fewer than lessons::kFewestPeople
     /// people.
     [[nodiscard]] virtual core::Result<std::vector<BandPoint>> classBand(const Login& who, PersonId person,
@@ -96,8 +101,9 @@ public:
     [[nodiscard]] virtual core::Result<std::vector<ClassAssignment>> assignments(const Login& who) const = 0;
     /// Assigns a lesson to a class, or changes the assignment. ChangedSince: the assignment differs from `before`.
     /// @param before  the assignment as shown to the user; empty: there was none
+    /// @param pack    of the version that the assignment names (lessons::packVersion()); empty if it is stored already
     [[nodiscard]] virtual core::Status assign(const Login& who, const ClassAssignment& assignment,
-                                              const std::optional<ClassAssignment>& before) = 0;
+                                              const std::optional<ClassAssignment>& before, const QByteArray& pack) = 0;
     /// Removes an assignment; its attempts stay in the database. ChangedSince as for assign().
     [[nodiscard]] virtual core::Status unassign(const Login& who, const ClassAssignment& before) = 0;
     /// Records in the audit that a report or a table of a class is exported.
@@ -133,6 +139,9 @@ struct AssignedLesson
     std::string lessonId;
     std::vector<std::pair<std::string, std::string>> classes;  ///< name and due date (ISO 8601; empty: none) of each
     std::optional<int> attemptsLeft;                           ///< empty: no limit
+    /// The version for new attempts (lessons::Lesson::hash); of several classes, the one assigned last. Empty: none was
+    /// stored.
+    std::string lessonHash = {};
 };
 
 /// The user's results, assignments and feedback, for the list of lessons.
@@ -165,6 +174,9 @@ class LessonRepository
 public:
     virtual ~LessonRepository() = default;
     [[nodiscard]] virtual core::Result<LessonsOfUser> ofUser(const Login& who) const = 0;
+    /// Returns the pack of a version that a class of the user was assigned (lessons/LessonVersion.h). UnknownName: it
+    /// was not.
+    [[nodiscard]] virtual core::Result<QByteArray> version(const Login& who, const std::string& hash) const = 0;
     /// Returns the number of attempts left at a lesson; empty: no limit.
     [[nodiscard]] virtual core::Result<std::optional<int>> attemptsLeft(const Login& who,
                                                                         const std::string& lessonId) const = 0;

@@ -225,6 +225,12 @@ core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn)
     return Assigned{std::move(*assignment), std::move(built->report)};
 }
 
+bool isToothOf(const Lesson& lesson, const core::terrain::ToothAnatomy& tooth)
+{
+    const auto assigned = assign(lesson, tooth.seed);
+    return assigned && core::terrain::isSameTooth(*assigned->assignment.anatomy, tooth);
+}
+
 bool isSameLesson(const Assignment& a, const Assignment& b)
 {
     return a.lesson && b.lesson && a.lesson->id == b.lesson->id && a.lesson->exam == b.lesson->exam;

@@ -58,6 +58,10 @@ servoSettings(const Lesson* lesson, core::servo::ServoSettings usual,
 ///               tooth, so that every replay has the same task
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn = 0);
 
+/// Returns whether an uncut tooth is that of a lesson. The text of a lesson in a recording has no scan: use the lesson
+/// of the file. Takes as long as assign().
+[[nodiscard]] bool isToothOf(const Lesson& lesson, const core::terrain::ToothAnatomy& tooth);
+
 /// Returns whether two assignments are of the same lesson, both as practice or both as an exam. False without a lesson.
 [[nodiscard]] bool isSameLesson(const Assignment& a, const Assignment& b);
 

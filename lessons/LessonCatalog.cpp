@@ -11,6 +11,7 @@
 #include <QStandardPaths>
 
 #include "lessons/LessonPack.h"
+#include "lessons/LessonVersion.h"
 
 namespace lessons {
 namespace {
@@ -94,6 +95,33 @@ std::vector<CatalogEntry> readCatalog(const QString& folder)
         entry.read.lesson.reset();
     }
     return entries;
+}
+
+std::vector<std::string> useVersions(std::vector<CatalogEntry>& entries,
+                                     const std::map<std::string, std::string>& assigned)
+{
+    std::vector<std::string> missing;
+    for (const auto& [id, hash] : assigned) {
+        auto entry = std::find_if(entries.begin(), entries.end(), [&id = id](const CatalogEntry& one) {
+            return one.read.lesson && one.read.lesson->id == id;
+        });
+        if (hash.empty() || (entry != entries.end() && entry->read.lesson->hash == hash))
+            continue;
+        if (entry == entries.end())
+            entry = entries.insert(entries.end(), CatalogEntry{});
+        auto version = cachedVersion(hash);
+        entry->read = {};
+        entry->read.file = QString::fromStdString(id);
+        entry->pack.clear();
+        if (version) {
+            entry->read.lesson = std::move(*version);
+            continue;
+        }
+        entry->read.faults = {{entry->read.file, {}, core::wordsOf(version.error()), true}};
+        if (version.error().code == core::ErrorCode::FileMissing)
+            missing.push_back(hash);
+    }
+    return missing;
 }
 
 core::Result<QString> lessonFile(const QString& fileOrId)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include <QString>
@@ -27,6 +29,13 @@ struct CatalogEntry
 /// @param folder  the teacher's folder; may be missing or empty
 /// Shipped lessons come first; each group is sorted by file name. Any thread.
 [[nodiscard]] std::vector<CatalogEntry> readCatalog(const QString& folder);
+
+/// Replaces the lessons of the catalog that are assigned in another version by that version from the cache
+/// (LessonVersion.h). A version that cannot be read becomes an entry with a fault. Returns the hashes of those that are
+/// not in the cache yet.
+/// @param assigned  hash of the assigned version, by lesson id
+[[nodiscard]] std::vector<std::string> useVersions(std::vector<CatalogEntry>& entries,
+                                                   const std::map<std::string, std::string>& assigned);
 
 /// Returns the file of a lesson. A name that ends in .json, or of an existing file, is the file itself; any other is an
 /// id in the teacher's folder or of a shipped lesson. UnknownName if there is none.

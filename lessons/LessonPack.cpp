@@ -131,7 +131,7 @@ core::Result<PackedFile> packedFile(const QJsonObject& entry)
 
 core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
 {
-    QJsonArray files;
+    std::vector<PackedFile> files;
     QMap<QString, QByteArray> packed;
     qint64 sum = 0;
     for (const QString& lessonFile : lessonFiles) {
@@ -149,10 +149,6 @@ core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
         const QDir folder = QFileInfo(lessonFile).absoluteDir();
         for (const QString& path : read.uses) {
             const QString name = folder.relativeFilePath(QFileInfo(path).absoluteFilePath());
-            if (!isNameInPack(name))
-                return refused(core::ErrorCode::BadStructure,
-                               "A file of the name \"%1\" cannot go into a pack; rename it (%2).",
-                               {name, kSuffixes.join(QStringLiteral(", "))});
             const auto content = contentOf(path, kLargestPackBytes - sum);
             if (!content)
                 return tl::unexpected(content.error());
@@ -165,14 +161,28 @@ core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
             }
             packed[key] = *content;
             sum += content->size();
-            files.append(QJsonObject{
-                {"name", name}, {"sha256", hashOf(*content)}, {"base64", QString::fromLatin1(content->toBase64())}});
+            files.push_back({name, *content});
         }
     }
-    if (files.isEmpty() || files.size() > kMostPackedFiles)
+    return packFiles(files);
+}
+
+core::Result<QByteArray> packFiles(const std::vector<PackedFile>& files)
+{
+    if (files.empty() || files.size() > static_cast<std::size_t>(kMostPackedFiles))
         return refused(core::ErrorCode::OutOfRange, "A pack takes 1 to %1 files of lessons, not %2.",
                        {QString::number(kMostPackedFiles), QString::number(files.size())});
-    const QByteArray json = QJsonDocument(QJsonObject{{"format", kPackFormat}, {"cusp", "lessons"}, {"files", files}})
+    QJsonArray entries;
+    for (const PackedFile& file : files) {
+        if (!isNameInPack(file.name))
+            return refused(core::ErrorCode::BadStructure,
+                           "A file of the name \"%1\" cannot go into a pack; rename it (%2).",
+                           {file.name, kSuffixes.join(QStringLiteral(", "))});
+        entries.append(QJsonObject{{"name", file.name},
+                                   {"sha256", hashOf(file.content)},
+                                   {"base64", QString::fromLatin1(file.content.toBase64())}});
+    }
+    const QByteArray json = QJsonDocument(QJsonObject{{"format", kPackFormat}, {"cusp", "lessons"}, {"files", entries}})
                                 .toJson(QJsonDocument::Compact);
     return QByteArray::fromStdString(core::recording::pack({json.constData(), static_cast<std::size_t>(json.size())}));
 }

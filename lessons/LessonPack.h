@@ -35,6 +35,9 @@ struct PackedFile
 /// name, or a limit is exceeded.
 [[nodiscard]] core::Result<QByteArray> packLessons(const QStringList& lessonFiles);
 
+/// Returns the bytes of a pack with these files. Error: their number or a name is not allowed.
+[[nodiscard]] core::Result<QByteArray> packFiles(const std::vector<PackedFile>& files);
+
 /// Returns the files in a pack, each checked against its hash. Its memory is limited to kLargestPackBytes plus the
 /// base64 text of the files. The error does not name the pack.
 [[nodiscard]] core::Result<std::vector<PackedFile>> unpackLessons(const QByteArray& bytes);

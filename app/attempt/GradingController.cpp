@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/attempt/GradingController.h"
 
-#include <cmath>
 #include <utility>
 
 #include <QDateTime>
@@ -13,6 +12,7 @@
 #include "app/school/SchoolAccess.h"
 #include "core/grading/Exercise.h"
 #include "core/servo/ServoState.h"
+#include "database/AttemptCheck.h"
 #include "database/Passwords.h"
 #include "database/Repositories.h"
 #include "lessons/ScoreSheetJson.h"
@@ -26,8 +26,6 @@ using ui::text::FailedOperation;
 using ui::window::MainWindow;
 
 constexpr int kHistoryLength = 12;
-constexpr double kMnPerN = 1000.0;
-constexpr double kMsPerS = 1000.0;
 constexpr int kSettleMs = 20;
 constexpr int kSettledLooks = 3;  ///< so many in a row have to find the bur out of the tooth
 constexpr int kMostSettleLooks = 25;
@@ -181,7 +179,7 @@ void GradingController::finish(const std::optional<ui::scoring::ScorePrediction>
     m_graded = {m_context.attempt.generation(),
                 hash,
                 sheet,
-                recordOf(*done, sheet, expected),
+                recordOf(*done, conduct, sheet, expected),
                 Keeping::Nowhere,
                 {},
                 {},
@@ -203,43 +201,24 @@ void GradingController::finish(const std::optional<ui::scoring::ScorePrediction>
 }
 
 database::AttemptRecord GradingController::recordOf(const core::session::AttemptSnapshot& done,
-                                                    const lessons::ScoreSheet& sheet,
+                                                    const lessons::Conduct& conduct, const lessons::ScoreSheet& sheet,
                                                     const std::optional<ui::scoring::ScorePrediction>& expected) const
 {
     const auto preset = lessons::presetUsed(done.recording);
     database::AttemptRecord record;
     record.uid = database::newUid();
     record.finishedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-    record.tooth = m_context.attempt.assignment().anatomy->name;
-    record.scoreTenths = sheet.totalTenths;
-    record.passed = sheet.passed();
-    record.passMarkTenths = sheet.passMarkTenths;
-    record.rubricHash = sheet.rubricHash;
+    database::setProven(record, m_context.attempt.assignment(), sheet, conduct, core::terrain::stateHash(done.tooth));
     if (expected)
         record.expectedTenths = expected->tenths;
-    if (m_context.attempt.assignment().lesson) {
-        record.lessonId = m_context.attempt.assignment().lesson->id;
-        record.lessonHash = m_context.attempt.assignment().lesson->hash;
-    }
-    for (const lessons::Criterion& criterion : sheet.criteria)
-        record.criteria.push_back({criterion.id, criterion.lostTenths, criterion.weightTenths});
-    record.durationMs = std::llround(kMsPerS * done.findings.process.totalS);
     record.scoreSheetJson = lessons::toJson(sheet, preset).toStdString();
-    record.stateHash =
-        QStringLiteral("%1").arg(core::terrain::stateHash(done.tooth), 16, 16, QLatin1Char('0')).toStdString();
     record.device = m_observer.hand().toStdString();
     record.method = m_context.attempt.settings().method;
-    record.grid = m_context.attempt.assignment().anatomy->grid.side;
     record.viewMode = ui::render::idOf(m_observer.picture());
-    record.seed = std::to_string(m_context.attempt.assignment().anatomy->seed);
     record.preset = preset.name.toStdString() + (preset.version > 0 ? " v" + std::to_string(preset.version) : "") +
                     (preset.isChanged ? ", changed" : "");
     record.presetHash = preset.hash.toStdString();
     record.program = CUSP_VERSION;
-    if (const auto& force = done.findings.process.force) {
-        record.meanForceMn = static_cast<int>(std::lround(force->meanN * kMnPerN));
-        record.peakForceMn = static_cast<int>(std::lround(force->largestN * kMnPerN));
-    }
     return record;
 }
 

@@ -68,7 +68,7 @@ private:
     void gradeNow();
     void finish(const std::optional<ui::scoring::ScorePrediction>& expected);
     [[nodiscard]] database::AttemptRecord recordOf(const core::session::AttemptSnapshot& done,
-                                                   const lessons::ScoreSheet& sheet,
+                                                   const lessons::Conduct& conduct, const lessons::ScoreSheet& sheet,
                                                    const std::optional<ui::scoring::ScorePrediction>& expected) const;
     void saveGrade();
     void saveExam();

@@ -12,7 +12,9 @@
 #include <QPagedPaintDevice>
 
 #include "app/pages/PageGuard.h"
+#include "app/threads/Background.h"
 #include "database/AuditHead.h"
+#include "lessons/LessonVersion.h"
 #include "ui/people/ClassPage.h"
 #include "ui/report/Printing.h"
 #include "ui/text/Texts.h"
@@ -27,6 +29,7 @@ using database::ClassOverview;
 using database::Login;
 using database::Repositories;
 using database::SchoolClass;
+using ui::people::AssignmentChange;
 using ui::people::AssignPage;
 using ui::people::ClassPage;
 using ui::window::MainWindow;
@@ -182,15 +185,47 @@ void ClassController::openAssignments()
     });
 }
 
+/// Packs the versions that are assigned now, in the background: a scan takes a while. Then makes the changes.
+void ClassController::changeAssignments(const QList<AssignmentChange>& changes)
+{
+    std::vector<lessons::Lesson> assigned;
+    for (const AssignmentChange& change : changes) {
+        const bool isNew = change.after && (!change.before || change.before->lessonHash != change.after->lessonHash);
+        if (const lessons::Lesson* lesson = isNew ? m_lessons.find(change.after->lessonId) : nullptr)
+            assigned.push_back(*lesson);
+    }
+    inBackground(
+        this,
+        [assigned]() -> core::Result<Packs> {
+            Packs packs;
+            for (const lessons::Lesson& lesson : assigned) {
+                auto pack = lessons::packVersion(lesson);
+                if (!pack)
+                    return tl::unexpected(pack.error());
+                packs[lesson.hash] = std::move(*pack);
+            }
+            return packs;
+        },
+        [this, changes](const core::Result<Packs>& packs) {
+            if (packs)
+                makeChanges(changes, *packs);
+            else
+                m_window.assignPage().refuse(text::errorText(packs.error(), text::FailedOperation::ChangingSchool));
+        });
+}
+
 /// Makes the changes one by one. If one is refused, those before it stay.
-void ClassController::changeAssignments(const QList<ui::people::AssignmentChange>& changes)
+void ClassController::makeChanges(const QList<AssignmentChange>& changes, const Packs& packs)
 {
     m_queries.ask(
         this,
-        [changes](const Repositories& school, const Login& who) -> core::Status {
-            for (const ui::people::AssignmentChange& change : changes) {
-                core::Status done = change.after ? school.classes.assign(who, *change.after, change.before)
-                                                 : school.classes.unassign(who, *change.before);
+        [changes, packs](const Repositories& school, const Login& who) -> core::Status {
+            for (const AssignmentChange& change : changes) {
+                const auto pack = change.after ? packs.find(change.after->lessonHash) : packs.end();
+                core::Status done = change.after
+                                        ? school.classes.assign(who, *change.after, change.before,
+                                                                pack == packs.end() ? QByteArray() : pack->second)
+                                        : school.classes.unassign(who, *change.before);
                 if (!done)
                     return done;
             }

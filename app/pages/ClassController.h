@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
+#include <QByteArray>
 #include <QList>
 #include <QObject>
 #include <QString>
@@ -49,7 +51,9 @@ private:
     void readClasses(const std::function<void()>& then = {});
     void showUnlisted(const core::Error& error);
     void openAssignments();
+    using Packs = std::map<std::string, QByteArray>;  ///< of versions, by hash
     void changeAssignments(const QList<ui::people::AssignmentChange>& changes);
+    void makeChanges(const QList<ui::people::AssignmentChange>& changes, const Packs& packs);
     void readOverview(database::ClassId ofClass);
     void showUnread(database::ClassId ofClass, const core::Error& error);
     void readResults(const QString& lesson);

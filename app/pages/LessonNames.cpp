@@ -84,9 +84,8 @@ std::vector<ui::people::LessonOffer> LessonNames::offers() const
         if (entry.isFaulty())
             continue;
         const lessons::Lesson& one = *entry.read.lesson;
-        const QString file = entry.isShipped ? QString() : entry.pack.isEmpty() ? entry.read.file : entry.pack;
-        offers.push_back(
-            {one.id, ui::text::said(one.title), ui::text::toothWords(one), ui::text::groupName(one), file});
+        offers.push_back({one.id, ui::text::said(one.title), ui::text::toothWords(one), ui::text::groupName(one),
+                          one.hash, one.version});
     }
     return offers;
 }

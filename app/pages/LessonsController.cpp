@@ -14,6 +14,7 @@
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonPack.h"
 #include "lessons/LessonReader.h"
+#include "lessons/LessonVersion.h"
 #include "lessons/ScoreSheetJson.h"
 #include "ui/text/LessonTexts.h"
 #include "ui/text/ValidationTexts.h"
@@ -62,6 +63,7 @@ LessonsController::FromSchool LessonsController::shownOf(const database::Lessons
     for (const database::AssignedLesson& one : lessons.assigned) {
         ui::catalog::Given& here = found.given[one.lessonId];
         here.attemptsLeft = one.attemptsLeft;
+        found.versions[one.lessonId] = one.lessonHash;
         for (const auto& [name, dueUtc] : one.classes) {
             const QString className = QString::fromStdString(name);
             const QDateTime due = QDateTime::fromString(QString::fromStdString(dueUtc), Qt::ISODate);
@@ -80,30 +82,19 @@ LessonsController::FromSchool LessonsController::shownOf(const database::Lessons
 /// Reads the folder of lessons each time: a teacher may have changed it.
 void LessonsController::showLessons()
 {
-    const auto show = [this, who = m_school.user] {
-        inBackground(
-            this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
-            [this, who](std::vector<lessons::CatalogEntry>& entries) {
-                if (m_school.user != who)
-                    return;
-                m_window.lessonsPage().setLessons(std::move(entries), m_fromSchool.standings, m_fromSchool.given);
-                m_window.lessonsPage().setFeedback(m_fromSchool.feedback);
-                emit shown();
-            });
-    };
     if (!m_school.isLoggedIn()) {
-        show();
+        fill(false);
         return;
     }
     // Lessons are files: they do not wait for a server that does not answer.
     const auto isAnswered = std::make_shared<bool>(false);
-    QTimer::singleShot(kSchoolPatienceMs, this, [isAnswered, show] {
+    QTimer::singleShot(kSchoolPatienceMs, this, [this, isAnswered] {
         if (!*isAnswered)
-            show();
+            fill(false);
     });
     m_school.service->ask(
         this, [who = m_school.user](const database::Repositories& school) { return school.lessons.ofUser(who); },
-        [this, show, isAnswered, who = m_school.user](const core::Result<database::LessonsOfUser>& found) {
+        [this, isAnswered, who = m_school.user](const core::Result<database::LessonsOfUser>& found) {
             *isAnswered = true;
             if (m_school.user != who)
                 return;
@@ -111,7 +102,60 @@ void LessonsController::showLessons()
                 m_fromSchool = shownOf(*found);
             else  // an old answer is better than to show every lesson as not tried
                 m_window.showError(found.error(), FailedOperation::ReadingSchool);
-            show();
+            fill(found.has_value());
+        });
+}
+
+/// Shows the lessons of the folders, and those that are assigned in another version as the school stores them.
+/// @param mayFetch  fetch the assigned versions that are not on this computer
+void LessonsController::fill(bool mayFetch)
+{
+    struct Filled
+    {
+        std::vector<lessons::CatalogEntry> entries;
+        std::vector<std::string> missing;  ///< versions
+    };
+    inBackground(
+        this,
+        [versions = m_fromSchool.versions] {
+            Filled filled{lessons::readCatalog(lessons::teachersFolder()), {}};
+            filled.missing = lessons::useVersions(filled.entries, versions);
+            return filled;
+        },
+        [this, mayFetch, who = m_school.user](Filled& filled) {
+            if (m_school.user != who)
+                return;
+            if (mayFetch && !filled.missing.empty()) {
+                fetch(filled.missing);
+                return;
+            }
+            m_window.lessonsPage().setLessons(std::move(filled.entries), m_fromSchool.standings, m_fromSchool.given);
+            m_window.lessonsPage().setFeedback(m_fromSchool.feedback);
+            emit shown();
+        });
+}
+
+/// Brings assigned versions to this computer, and shows the lessons in any case.
+void LessonsController::fetch(const std::vector<std::string>& versions)
+{
+    m_school.service->ask(
+        this,
+        [who = m_school.user, versions](const database::Repositories& school) -> core::Status {
+            for (const std::string& hash : versions) {
+                const auto pack = school.lessons.version(who, hash);
+                if (!pack)
+                    return tl::unexpected(pack.error());
+                if (auto kept = lessons::cacheVersion(hash, *pack); !kept)
+                    return kept;
+            }
+            return {};
+        },
+        [this, who = m_school.user](const core::Status& done) {
+            if (m_school.user != who)
+                return;
+            if (!done)
+                m_window.showError(done.error(), FailedOperation::ReadingSchool);
+            fill(false);
         });
 }
 

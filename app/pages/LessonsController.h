@@ -35,6 +35,8 @@ signals:
 
 private:
     void showLessons();
+    void fill(bool mayFetch);
+    void fetch(const std::vector<std::string>& versions);
     void unpack(const QString& pack, const QString& name);
     void showKnownAttempts(const lessons::Lesson& lesson);
     void openFolder();
@@ -44,6 +46,7 @@ private:
     {
         std::map<std::string, ui::catalog::Standing> standings;
         std::map<std::string, ui::catalog::Given> given;
+        std::map<std::string, std::string> versions;  ///< hash of the assigned version, by lesson id
         std::vector<database::Feedback> feedback;
     };
     [[nodiscard]] static FromSchool shownOf(const database::LessonsOfUser& lessons);

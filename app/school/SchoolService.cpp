@@ -10,11 +10,14 @@
 #include <QScopeGuard>
 
 #include "app/threads/Background.h"
+#include "database/AttemptCheck.h"
+#include "database/Passwords.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
 #include "database/sql/Repositories.h"
 #include "database/sql/StartedExams.h"
+#include "lessons/LessonVersion.h"
 
 namespace app {
 namespace {
@@ -37,6 +40,13 @@ bool isDamage(ErrorCode code)
     return code == ErrorCode::BadStructure || code == ErrorCode::WrongKind;
 }
 
+std::string digestOfLetter(const database::AttemptRecord& attempt, const QByteArray& recording)
+{
+    database::AttemptRecord whole = attempt;
+    whole.recordingHash = database::digestOf({recording.constData(), static_cast<std::size_t>(recording.size())});
+    return database::sql::digestOfAttempt(whole);
+}
+
 }  // namespace
 
 core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const QString& file)
@@ -46,19 +56,30 @@ core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const Q
         if (!exam)
             return tl::unexpected(exam.error());
         const QString school = exam->school;
-        return LetterDelivery{{}, school, [exam = std::move(*exam)](const DatabaseContext& to) {
+        return LetterDelivery{{},
+                              school,
+                              {},
+                              [] { return database::Doubt::None; },
+                              [exam = std::move(*exam)](const DatabaseContext& to, database::Doubt) {
                                   return database::sql::deliverExam(to, exam.personUid, exam.start);
                               }};
     }
     auto letter = letters.read(file);
     if (!letter)
         return tl::unexpected(letter.error());
-    const std::string uid = letter->attempt.uid;
-    const QString school = letter->school;
-    return LetterDelivery{
-        uid, school, [letter = std::move(*letter)](const DatabaseContext& to) {
-            return database::sql::deliverAttempt(to, letter.attempt, letter.recording).map([](const auto&) {});
-        }};
+    const auto kept = std::make_shared<const database::Outbox::PendingAttempt>(std::move(*letter));
+    const auto check = [kept] {
+        const auto assigned = lessons::cachedVersion(kept->attempt.lessonHash);
+        return database::checkAttempt(kept->attempt, kept->recording,
+                                      assigned ? std::optional(*assigned) : std::nullopt);
+    };
+    const auto deliver = [kept](const DatabaseContext& to, database::Doubt doubt) {
+        database::AttemptRecord attempt = kept->attempt;
+        attempt.doubt = doubt;
+        return database::sql::deliverAttempt(to, attempt, kept->recording).map([](const auto&) {});
+    };
+    return LetterDelivery{kept->attempt.uid, kept->school, digestOfLetter(kept->attempt, kept->recording), check,
+                          deliver};
 }
 
 SchoolService::SchoolService(database::Address address, QString folder, database::sql::Database::Options options,
@@ -390,9 +411,12 @@ void SchoolService::keep(QObject* owner, const database::Login& session, const d
                          const std::function<void(const core::Status&)>& kept)
 {
     post([this, guard = QPointer<QObject>(owner), session, attempt, recording, kept] {
-        const core::Status status = putInto([&](database::Outbox letters) {
-            return letters.put(session, attempt, QByteArray::fromStdString(recording.toBytes()));
-        });
+        const QByteArray bytes = QByteArray::fromStdString(recording.toBytes());
+        const core::Status status =
+            putInto([&](database::Outbox letters) { return letters.put(session, attempt, bytes); });
+        database::AttemptRecord own = attempt;
+        own.personUid = session.uid();
+        m_checked[digestOfLetter(own, bytes)] = database::Doubt::None;
         answer(guard, kept, status);
         deliverAll();
     });
@@ -483,8 +507,12 @@ void SchoolService::deliverAll()
             m_otherSchools.insert(letter->school);
             continue;
         }
-        const core::Status done = letter->deliver(*m_school);
+        const std::optional<database::Doubt> doubt = doubtOf(*letter);
+        if (!doubt)
+            continue;
+        const core::Status done = letter->deliver(*m_school, *doubt);
         if (done) {
+            m_checked.erase(letter->digest);
             m_hasFailed.remove(file);
             if (!letter->attempt.empty())
                 QMetaObject::invokeMethod(
@@ -513,6 +541,25 @@ void SchoolService::deliverAll()
         QMetaObject::invokeMethod(
             this, [this, now, schools] { emit waitForOthers(now, schools); }, Qt::QueuedConnection);
     }
+}
+
+/// Returns the doubt of an entry. Empty: the attempt has to be marked again first, which begins now or later.
+std::optional<database::Doubt> SchoolService::doubtOf(const LetterDelivery& letter)
+{
+    if (letter.digest.empty())
+        return database::Doubt::None;
+    if (const auto known = m_checked.find(letter.digest); known != m_checked.end())
+        return known->second;
+    if (std::exchange(m_isChecking, true))
+        return std::nullopt;
+    inBackground(this, letter.check, [this, digest = letter.digest](database::Doubt doubt) {
+        post([this, digest, doubt] {
+            m_isChecking = false;
+            m_checked[digest] = doubt;
+            deliverAll();
+        });
+    });
+    return std::nullopt;
 }
 
 bool SchoolService::isForAnother(const LetterDelivery& letter) const

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@
 #include "app/school/SchoolAccess.h"
 #include "core/base/Result.h"
 #include "core/recording/Recording.h"
+#include "database/Doubt.h"
 #include "database/Outbox.h"
 #include "database/sql/Database.h"
 #include "database/sql/DatabaseContext.h"
@@ -31,7 +33,11 @@ struct LetterDelivery
 {
     std::string attempt;  ///< uid of the attempt; empty: the entry is the start of an exam
     QString school;       ///< the school that it belongs to, as Outbox::schoolAt() identifies it; empty: unknown
-    std::function<core::Status(const database::sql::DatabaseContext&)> deliver;
+    std::string digest;   ///< of all that is delivered; empty for the start of an exam
+    /// Marks the attempt again, as database::checkAttempt(); any thread. Doubt::None for the start of an exam.
+    std::function<database::Doubt()> check;
+    /// @param doubt  the result of check()
+    std::function<core::Status(const database::sql::DatabaseContext&, database::Doubt doubt)> deliver;
 };
 /// Reads an entry of the outbox. Errors: see Outbox::read().
 [[nodiscard]] core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const QString& file);
@@ -173,6 +179,7 @@ private:
     void notice(const core::Error& error);
     [[nodiscard]] core::Status putInto(const std::function<core::Status(database::Outbox)>& put);
     void deliverAll();
+    [[nodiscard]] std::optional<database::Doubt> doubtOf(const LetterDelivery& letter);
     [[nodiscard]] bool isForAnother(const LetterDelivery& letter) const;
     void setAside(const database::Outbox& outbox, const QString& file, const core::Error& why);
 
@@ -198,6 +205,10 @@ private:
     QSet<QString> m_undeliverable;    ///< entries that cannot be delivered on this connection
     QHash<QString, int> m_hasFailed;  ///< entries that may be delivered later, with the number of their last failure
     int m_failures = 0;
+    /// Attempts of the outbox by digest: those graded by this program, and those that were marked again. Somebody may
+    /// have changed the files of others since they were graded.
+    std::map<std::string, database::Doubt> m_checked;
+    bool m_isChecking = false;  ///< an attempt is being marked again
     bool m_isLost = false;      ///< the connection broke and must be made again
     bool m_isDamaged = false;   ///< the file was damaged when it was opened last
     bool m_isReadOnly = false;  ///< the file was read-only when it was opened last

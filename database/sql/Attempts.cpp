@@ -15,6 +15,7 @@
 #include "database/ClassOverview.h"
 #include "database/Passwords.h"
 #include "database/sql/Audit.h"
+#include "database/sql/Doubts.h"
 #include "database/sql/Recordings.h"
 #include "database/sql/Statement.h"
 
@@ -74,6 +75,10 @@ QVariant toColumn(const std::optional<int>& value)
 {
     return value ? QVariant(*value) : QVariant();
 }
+QVariant toColumn(Doubt value)
+{
+    return text(doubtId(value));
+}
 void fromColumn(const QVariant& value, std::string& field)
 {
     field = value.toString().toStdString();
@@ -93,6 +98,10 @@ void fromColumn(const QVariant& value, bool& field)
 void fromColumn(const QVariant& value, std::optional<int>& field)
 {
     field = value.isNull() ? std::nullopt : std::optional(value.toInt());
+}
+void fromColumn(const QVariant& value, Doubt& field)
+{
+    field = doubtNamed(value.toString().toStdString());
 }
 
 /// Returns the mapping of a column to a field of the record.
@@ -134,6 +143,7 @@ constexpr std::array kAttemptColumns{
     fieldColumn<&AttemptRecord::meanForceMn>("mean_force_mn"),
     fieldColumn<&AttemptRecord::peakForceMn>("peak_force_mn"),
     fieldColumn<&AttemptRecord::passMarkTenths>("pass_mark_tenths"),
+    fieldColumn<&AttemptRecord::doubt>("doubt"),
 };
 /// Index of the first column after those of an attempt, for queries that read more.
 constexpr int kNextColumn = static_cast<int>(kAttemptColumns.size());
@@ -173,22 +183,22 @@ core::Result<QVariant> insertRow(const DatabaseContext& school, const AttemptRec
                kAdd, values);
 }
 
-/// Updates the standing in a lesson for one more attempt.
-core::Status countIn(const DatabaseContext& school, PersonId person, const AttemptRecord& attempt)
+/// Returns the doubt with which an attempt is stored: that of its check, or otherwise one that the database shows.
+core::Result<Doubt> doubtOf(const DatabaseContext& school, const AttemptRecord& attempt)
 {
-    return execute(school.db,
-                   "INSERT INTO standings (person_id, lesson_id, attempts, best_tenths, passed, last_utc) VALUES "
-                   "(?, ?, 1, ?, ?, ?) ON CONFLICT (person_id, lesson_id) DO UPDATE SET "
-                   "attempts = standings.attempts + 1, "
-                   "best_tenths = CASE WHEN excluded.best_tenths > standings.best_tenths THEN excluded.best_tenths "
-                   "ELSE standings.best_tenths END, "
-                   "passed = CASE WHEN excluded.passed > standings.passed THEN excluded.passed ELSE standings.passed "
-                   "END, "
-                   "last_utc = CASE WHEN excluded.last_utc > standings.last_utc THEN excluded.last_utc ELSE "
-                   "standings.last_utc END",
-                   kAdd,
-                   {number(person.value), text(attempt.lessonId), attempt.scoreTenths, attempt.passed ? 1 : 0,
-                    text(attempt.finishedUtc)});
+    if (attempt.doubt != Doubt::None)
+        return attempt.doubt;
+    if (!attempt.recordingHash.empty()) {
+        const auto anothers = ask(school.db, "SELECT 1 FROM attempts WHERE recording_hash = ? AND person_id <> ?", kAdd,
+                                  {text(attempt.recordingHash), number(attempt.person.value)});
+        if (!anothers)
+            return tl::unexpected(anothers.error());
+        if (!anothers->isNull())
+            return Doubt::Recording;
+    }
+    return isOfAnotherVersion(school, attempt).map([](bool isAnother) {
+        return isAnother ? Doubt::Version : Doubt::None;
+    });
 }
 
 /// Inserts an attempt, inside a transaction.
@@ -206,6 +216,10 @@ core::Result<AttemptId> insert(const DatabaseContext& school, PersonId person, c
     // Takes its turn only now, so that no other station waits while a recording is transferred.
     if (auto turn = takeTurn(school); !turn)
         return tl::unexpected(turn.error());
+    const auto doubt = doubtOf(school, kept);
+    if (!doubt)
+        return tl::unexpected(doubt.error());
+    kept.doubt = *doubt;
     const auto added = insertRow(school, kept);
     if (!added)
         return tl::unexpected(added.error());
@@ -223,12 +237,21 @@ core::Result<AttemptId> insert(const DatabaseContext& school, PersonId person, c
                            {number(id.value), text(kept.scoreSheetJson)});
         !put)
         return tl::unexpected(put.error());
-    if (auto counted = countIn(school, person, kept); !counted)
+    if (auto counted = recount(school, person, kept.lessonId); !counted)
         return tl::unexpected(counted.error());
-    if (auto noted = note(school, actor, "attempt.add", "attempt:" + kept.uid,
-                          {{"digest", QString::fromStdString(digestOfAttempt(kept))}});
+    AuditBatch audit(school);
+    const std::string object = "attempt:" + kept.uid;
+    if (auto noted =
+            audit.note(actor, "attempt.add", object, {{"digest", QString::fromStdString(digestOfAttempt(kept))}});
         !noted)
         return tl::unexpected(noted.error());
+    if (kept.doubt != Doubt::None)
+        if (auto noted =
+                audit.note(actor, "attempt.doubt", object, {{"doubt", QString::fromStdString(doubtId(kept.doubt))}});
+            !noted)
+            return tl::unexpected(noted.error());
+    if (auto sealed = audit.seal(); !sealed)
+        return tl::unexpected(sealed.error());
     return id;
 }
 
@@ -262,6 +285,22 @@ core::Result<AuthorizedUser> admitToAttempt(const DatabaseContext& school, const
     return authorizeFor(school, session, operation, *owner);
 }
 
+/// Recomputes the standing that an attempt belongs to.
+core::Status recountFor(const DatabaseContext& school, AttemptId id)
+{
+    PersonId person;
+    std::string lesson;
+    if (auto read = forEach(school.db, "SELECT person_id, lesson_id FROM attempts WHERE id = ?", kReadAttempts,
+                            {number(id.value)},
+                            [&](const QSqlQuery& row) {
+                                person = {row.value(0).toLongLong()};
+                                lesson = textOf(row, 1);
+                            });
+        !read)
+        return read;
+    return recount(school, person, lesson);
+}
+
 core::Result<std::string> uidOf(const DatabaseContext& school, AttemptId id)
 {
     const auto uid = ask(school.db, "SELECT uid FROM attempts WHERE id = ?", kReadAttempts, {number(id.value)});
@@ -277,21 +316,6 @@ core::Result<std::string> checkWords(const std::string& words, const char* what)
         return core::unexpected(ErrorCode::OutOfRange,
                                 std::string(what) + " has 1 to " + std::to_string(kLongestComment) + " characters");
     return trimmed.toStdString();
-}
-
-/// Recomputes the standing of one person in one lesson from all their attempts.
-core::Status recount(const DatabaseContext& school, AttemptId id)
-{
-    return execute(
-        school.db,
-        "UPDATE standings SET best_tenths = (SELECT MAX(COALESCE(b.given_tenths, b.score_tenths)) FROM "
-        "attempts b WHERE b.person_id = standings.person_id AND b.lesson_id = standings.lesson_id), passed = "
-        "(SELECT MAX(CASE WHEN c.given_tenths IS NULL THEN c.passed WHEN c.given_tenths >= "
-        "c.pass_mark_tenths THEN 1 ELSE 0 END) FROM attempts c WHERE c.person_id = standings.person_id AND "
-        "c.lesson_id = standings.lesson_id) WHERE "
-        "EXISTS (SELECT 1 FROM attempts a WHERE a.id = ? AND a.person_id = standings.person_id AND "
-        "a.lesson_id = standings.lesson_id)",
-        "count the standing", {number(id.value)});
 }
 
 }  // namespace
@@ -472,15 +496,16 @@ core::Result<lessons::ClassStanding> standingAmongClassmates(const DatabaseConte
         return tl::unexpected(who.error());
     const qlonglong me = session.person().value;
     std::vector<int> best;
-    if (auto read = forEach(school.db,
-                            QStringLiteral("SELECT MAX(COALESCE(a.given_tenths, a.score_tenths)) FROM attempts a JOIN "
-                                           "people p ON p.id = a.person_id WHERE a.lesson_id = ? AND a.rubric_hash = ? "
-                                           "AND %1 = ? AND (a.person_id = ? OR (p.role = 'student' AND p.disabled = 0 "
-                                           "AND a.person_id IN %2)) GROUP BY a.person_id")
-                                .arg(comparedDevice(QStringLiteral("a.device")), classmates()),
-                            "compare with the class",
-                            {text(lessonId), text(rubricHash), text(device == "pointer" ? "mouse" : device), me, me},
-                            [&](const QSqlQuery& row) { best.push_back(row.value(0).toInt()); });
+    if (auto read =
+            forEach(school.db,
+                    QStringLiteral("SELECT MAX(COALESCE(a.given_tenths, a.score_tenths)) FROM attempts a JOIN "
+                                   "people p ON p.id = a.person_id WHERE a.lesson_id = ? AND a.rubric_hash = ? "
+                                   "AND %3 AND %1 = ? AND (a.person_id = ? OR (p.role = 'student' AND p.disabled = 0 "
+                                   "AND a.person_id IN %2)) GROUP BY a.person_id")
+                        .arg(comparedDevice(QStringLiteral("a.device")), classmates(), doesCount()),
+                    "compare with the class",
+                    {text(lessonId), text(rubricHash), text(device == "pointer" ? "mouse" : device), me, me},
+                    [&](const QSqlQuery& row) { best.push_back(row.value(0).toInt()); });
         !read)
         return tl::unexpected(read.error());
     return lessons::classStanding(tenths, best);
@@ -518,7 +543,7 @@ core::Status overrideScore(const DatabaseContext& school, const Login& session, 
                                {toColumn(tenths), number(id.value)});
             !set)
             return set;
-        if (auto counted = recount(school, id); !counted)
+        if (auto counted = recountFor(school, id); !counted)
             return counted;
         return note(school, session.uid(), "attempt.override", "attempt:" + *uid,
                     {{"given_tenths", tenths ? QJsonValue(*tenths) : QJsonValue()},

@@ -10,6 +10,8 @@
 
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
+#include "database/sql/Doubts.h"
+#include "database/sql/LessonVersions.h"
 #include "database/sql/Migrations.h"
 #include "database/sql/Noted.h"
 #include "database/sql/Recordings.h"
@@ -149,7 +151,7 @@ core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
 {
     struct Look
     {
-        const char* sql;
+        QString sql;
         const char* words;
     };
     for (const Look& look :
@@ -158,18 +160,19 @@ core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
                QT_TRANSLATE_NOOP("Finding", "%1 has no score sheet")},
           Look{
               "SELECT 'person:' || p.uid, s.lesson_id FROM standings s JOIN people p ON p.id = s.person_id LEFT JOIN "
-              "(SELECT person_id, lesson_id, COUNT(*) n, MAX(COALESCE(given_tenths, score_tenths)) best, MAX(CASE WHEN "
-              "given_tenths IS NULL THEN passed WHEN given_tenths >= pass_mark_tenths THEN 1 ELSE 0 END) passed, "
-              "MAX(finished_utc) newest FROM "
-              "attempts GROUP BY person_id, lesson_id) a ON a.person_id = s.person_id AND a.lesson_id = s.lesson_id "
-              "WHERE a.n IS NULL OR a.n <> s.attempts OR a.best <> s.best_tenths OR a.passed <> s.passed OR a.newest "
-              "<> s.last_utc",
+              "(" +
+                  selectedStandings() + groupedByLesson() +
+                  ") n ON n.person_id = s.person_id AND n.lesson_id = s.lesson_id WHERE n.attempts IS NULL OR "
+                  "n.attempts <> s.attempts OR n.best_tenths <> s.best_tenths OR n.passed <> s.passed OR n.last_utc <> "
+                  "s.last_utc",
               QT_TRANSLATE_NOOP("Finding", "%1 has a standing in %2 that the attempts do not add up to")},
           Look{"SELECT DISTINCT 'person:' || p.uid, a.lesson_id FROM attempts a JOIN people p ON p.id = a.person_id "
-               "WHERE NOT EXISTS (SELECT 1 FROM standings s WHERE s.person_id = a.person_id AND s.lesson_id = "
-               "a.lesson_id)",
+               "WHERE " +
+                   isAtItsLesson() +
+                   " AND NOT EXISTS (SELECT 1 FROM standings s WHERE s.person_id = a.person_id AND s.lesson_id = "
+                   "a.lesson_id)",
                QT_TRANSLATE_NOOP("Finding", "%1 has attempts in %2 and no standing")}})
-        if (auto read = forEach(db, QLatin1String(look.sql), kDoing, {},
+        if (auto read = forEach(db, look.sql, kDoing, {},
                                 [&](const QSqlQuery& row) {
                                     say(report, {look.words, {textOf(row, 0), textOf(row, 1)}});
                                 });
@@ -240,6 +243,7 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
         [&] { return checkAttempts(db, report, progress); },
         [&] { return compareWithAudit(db, [&report](const IntegrityIssue& finding) { say(report, finding); }); },
         [&] { return checkSums(db, report); },
+        [&] { return checkVersions(db, [&report](const IntegrityIssue& finding) { say(report, finding); }); },
         [&] { return checkRecordings(db, report, progress); },
     };
     for (const auto& look : looks) {

@@ -7,6 +7,8 @@
 #include "database/NameOrder.h"
 #include "database/Usernames.h"
 #include "database/sql/Audit.h"
+#include "database/sql/Doubts.h"
+#include "database/sql/LessonVersions.h"
 #include "database/sql/StartedExams.h"
 #include "database/sql/Statement.h"
 
@@ -53,12 +55,15 @@ core::Result<std::optional<ClassAssignment>> assignmentNow(const DatabaseContext
                                                            const std::string& lessonId)
 {
     std::optional<ClassAssignment> now;
-    if (auto read = forEach(school.db,
-                            "SELECT id, due_utc, attempt_limit FROM assignments WHERE class_id = ? AND lesson_id = ?",
-                            "look what the class was given", {number(id.value), text(lessonId)},
-                            [&](const QSqlQuery& row) {
-                                now = {row.value(0).toLongLong(), id, lessonId, textOf(row, 1), row.value(2).toInt()};
-                            });
+    if (auto read = forEach(
+            school.db,
+            "SELECT id, due_utc, attempt_limit, lesson_hash FROM assignments WHERE class_id = ? AND "
+            "lesson_id = ?",
+            "look what the class was given", {number(id.value), text(lessonId)},
+            [&](const QSqlQuery& row) {
+                now = ClassAssignment{
+                    row.value(0).toLongLong(), id, lessonId, textOf(row, 1), row.value(2).toInt(), textOf(row, 3)};
+            });
         !read)
         return tl::unexpected(read.error());
     return now;
@@ -68,7 +73,23 @@ core::Result<std::optional<ClassAssignment>> assignmentNow(const DatabaseContext
 bool isSame(const std::optional<ClassAssignment>& one, const std::optional<ClassAssignment>& other)
 {
     return one.has_value() == other.has_value() &&
-           (!one || (one->dueUtc == other->dueUtc && one->attemptLimit == other->attemptLimit));
+           (!one || (one->dueUtc == other->dueUtc && one->attemptLimit == other->attemptLimit &&
+                     one->lessonHash == other->lessonHash));
+}
+
+/// Stores the version that a class is assigned, and that it was.
+core::Status keepAssignedVersion(const DatabaseContext& school, const ClassAssignment& assignment,
+                                 const QByteArray& pack)
+{
+    if (assignment.lessonHash.empty())
+        return {};
+    if (auto put = putVersion(school, assignment.lessonId, assignment.lessonHash, pack); !put)
+        return put;
+    return execute(school.db,
+                   "INSERT INTO assigned_versions (class_id, lesson_id, lesson_hash) VALUES (?, ?, ?) ON CONFLICT DO "
+                   "NOTHING",
+                   "assign the lesson",
+                   {number(assignment.classId.value), text(assignment.lessonId), text(assignment.lessonHash)});
 }
 
 core::Status changedSince()
@@ -152,7 +173,9 @@ core::Status putInto(const DatabaseContext& school, AuditBatch& audit, const std
     const auto uid = ask(school.db, "SELECT uid FROM people WHERE id = ?", kChange, {number(person.value)});
     if (!uid)
         return tl::unexpected(uid.error());
-    return audit.note(actor, "class.enrol", objectOf(id), {{"person", uid->toString()}});
+    if (auto noted = audit.note(actor, "class.enrol", objectOf(id), {{"person", uid->toString()}}); !noted)
+        return noted;
+    return compareVersions(school, audit, actor, id, person, {});
 }
 
 core::Status takeOutOf(const DatabaseContext& school, AuditBatch& audit, const std::string& actor, ClassId id,
@@ -228,8 +251,9 @@ core::Result<std::vector<ClassAssignment>> listAssignments(const DatabaseContext
         return tl::unexpected(who.error());
     std::vector<ClassAssignment> assignments;
     if (auto read = forEach(school.db,
-                            "SELECT a.id, a.class_id, a.lesson_id, a.due_utc, a.attempt_limit FROM assignments a JOIN "
-                            "classes c ON c.id = a.class_id" +
+                            "SELECT a.id, a.class_id, a.lesson_id, a.due_utc, a.attempt_limit, a.lesson_hash, "
+                            "COALESCE(v.version, 0) FROM assignments a JOIN classes c ON c.id = a.class_id LEFT JOIN "
+                            "lesson_versions v ON v.hash = a.lesson_hash" +
                                 within(*who) + " ORDER BY a.due_utc = '', a.due_utc, a.id",
                             "list what is to be done", valuesOf(*who, session),
                             [&](const QSqlQuery& row) {
@@ -237,7 +261,9 @@ core::Result<std::vector<ClassAssignment>> listAssignments(const DatabaseContext
                                                        {row.value(1).toLongLong()},
                                                        textOf(row, 2),
                                                        textOf(row, 3),
-                                                       row.value(4).toInt()});
+                                                       row.value(4).toInt(),
+                                                       textOf(row, 5),
+                                                       row.value(6).toInt()});
                             });
         !read)
         return tl::unexpected(read.error());
@@ -245,7 +271,7 @@ core::Result<std::vector<ClassAssignment>> listAssignments(const DatabaseContext
 }
 
 core::Status assign(const DatabaseContext& school, const Login& session, const ClassAssignment& assignment,
-                    const std::optional<ClassAssignment>& before)
+                    const std::optional<ClassAssignment>& before, const QByteArray& pack)
 {
     if (auto who = authorizeForClass(school, session, Operation::Assign, assignment.classId); !who)
         return tl::unexpected(who.error());
@@ -256,19 +282,35 @@ core::Status assign(const DatabaseContext& school, const Login& session, const C
             return tl::unexpected(now.error());
         if (!isSame(*now, before))
             return changedSince();
+        if (auto kept = keepAssignedVersion(school, assignment, pack); !kept)
+            return kept;
         if (auto put = execute(school.db,
-                               "INSERT INTO assignments (class_id, lesson_id, due_utc, attempt_limit, created_by, "
-                               "created_utc) VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT (class_id, lesson_id) DO UPDATE SET "
-                               "due_utc = excluded.due_utc, attempt_limit = excluded.attempt_limit",
+                               "INSERT INTO assignments (class_id, lesson_id, due_utc, attempt_limit, lesson_hash, "
+                               "created_by, created_utc) VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT (class_id, "
+                               "lesson_id) DO UPDATE SET due_utc = excluded.due_utc, attempt_limit = "
+                               "excluded.attempt_limit, lesson_hash = excluded.lesson_hash",
                                doing,
                                {number(assignment.classId.value), text(assignment.lessonId), text(assignment.dueUtc),
-                                assignment.attemptLimit, number(session.person().value), text(school.now())});
+                                assignment.attemptLimit, text(assignment.lessonHash), number(session.person().value),
+                                text(school.now())});
             !put)
             return put;
-        return note(school, session.uid(), "lesson.assign", objectOf(assignment.classId),
-                    {{"lesson", QString::fromStdString(assignment.lessonId)},
-                     {"due", QString::fromStdString(assignment.dueUtc)},
-                     {"limit", assignment.attemptLimit}});
+        AuditBatch audit(school);
+        if (auto noted = audit.note(session.uid(), "lesson.assign", objectOf(assignment.classId),
+                                    {{"lesson", QString::fromStdString(assignment.lessonId)},
+                                     {"due", QString::fromStdString(assignment.dueUtc)},
+                                     {"limit", assignment.attemptLimit},
+                                     {"hash", QString::fromStdString(assignment.lessonHash)}});
+            !noted)
+            return noted;
+        // Attempts at an assignment from before versions were stored count as they did.
+        const bool hadNoVersion = *now && (*now)->lessonHash.empty();
+        if (!hadNoVersion)
+            if (auto compared =
+                    compareVersions(school, audit, session.uid(), assignment.classId, {}, assignment.lessonId);
+                !compared)
+                return compared;
+        return audit.seal();
     });
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <QByteArray>
+
 #include "database/Person.h"
 #include "database/sql/DatabaseContext.h"
 
@@ -29,11 +31,13 @@ class AuditBatch;
 /// Returns the assignments of the classes that the user may access, by due date.
 [[nodiscard]] core::Result<std::vector<ClassAssignment>> listAssignments(const DatabaseContext& school,
                                                                          const Login& session);
-/// Assigns a lesson to a class, or changes the due date and the attempt limit of the assignment. Ignores the id.
+/// Assigns a lesson to a class, or changes due date, attempt limit or version of the assignment. Ignores the id.
 /// @param before  the assignment as shown to the user; empty: there was none. ChangedSince: it differs from the stored
 ///                one
+/// @param pack    of the version (lessons::packVersion()); empty if it is stored already, or none is named
 [[nodiscard]] core::Status assign(const DatabaseContext& school, const Login& session,
-                                  const ClassAssignment& assignment, const std::optional<ClassAssignment>& before = {});
+                                  const ClassAssignment& assignment, const std::optional<ClassAssignment>& before = {},
+                                  const QByteArray& pack = {});
 /// Removes an assignment; its attempts stay. ChangedSince: the stored assignment differs. Does nothing if there is
 /// none.
 [[nodiscard]] core::Status unassign(const DatabaseContext& school, const Login& session, const ClassAssignment& before);

@@ -26,11 +26,12 @@ struct Table
 };
 
 /// Tables in the order of their references. Failed logins are not copied, and recordings are copied separately.
-constexpr std::array kTables{Table{"people", true},       Table{"classes", true},       Table{"enrolments", false},
-                             Table{"assignments", true},  Table{"settings", false},     Table{"attempts", true},
-                             Table{"exam_starts", false}, Table{"score_sheets", false}, Table{"standings", false},
-                             Table{"comments", true},     Table{"overrides", true},     Table{"presets", true},
-                             Table{"audit", false}};
+constexpr std::array kTables{
+    Table{"people", true},           Table{"classes", true},     Table{"enrolments", false},
+    Table{"lesson_versions", false}, Table{"assignments", true}, Table{"assigned_versions", false},
+    Table{"settings", false},        Table{"attempts", true},    Table{"exam_starts", false},
+    Table{"score_sheets", false},    Table{"standings", false},  Table{"comments", true},
+    Table{"overrides", true},        Table{"presets", true},     Table{"audit", false}};
 
 core::Status stopped()
 {

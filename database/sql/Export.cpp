@@ -14,11 +14,12 @@
 namespace database::sql {
 namespace {
 
-/// score and passed are those that count: of the score that a teacher gave, otherwise of the automatic one.
+/// score and passed are those that count: of the score that a teacher gave, otherwise of the automatic one. An attempt
+/// in doubt (database/Doubt.h) counts only with a score that a teacher gave.
 constexpr std::string_view kHead = "attempt,username,given_name,family_name,finished_utc,lesson,tooth,score,passed,"
                                    "given_score,expected,duration_s,mean_force_n,peak_force_n,device,method,grid,"
                                    "view_mode,seed,preset,preset_hash,rubric_hash,lesson_hash,program,state_hash,"
-                                   "recording_hash,automatic_score\r\n";
+                                   "recording_hash,automatic_score,doubt\r\n";
 
 /// Returns a number of tenths or thousandths as a decimal: 823 tenths are "82.3".
 std::string decimal(qlonglong parts, int digits)
@@ -54,16 +55,18 @@ core::Result<std::int64_t> exportAttempts(const DatabaseContext& school, const L
     if (auto noted = inTurn(school, doing, [&] { return note(school, session.uid(), "attempts.export", "attempts"); });
         !noted)
         return tl::unexpected(noted.error());
-    auto rows = run(school.db,
-                    "SELECT a.uid, COALESCE(p.username, ''), COALESCE(p.given_name, ''), COALESCE(p.family_name, ''), "
-                    "a.finished_utc, a.lesson_id, a.tooth, a.device, a.method, a.view_mode, a.seed, a.preset, "
-                    "a.preset_hash, a.rubric_hash, a.lesson_hash, a.program, a.state_hash, a.recording_hash, "
-                    "COALESCE(a.given_tenths, a.score_tenths), CASE WHEN a.given_tenths IS NULL THEN a.passed WHEN "
-                    "a.given_tenths >= a.pass_mark_tenths THEN 1 ELSE 0 END, a.given_tenths, a.expected_tenths, "
-                    "a.duration_ms, a.mean_force_mn, a.peak_force_mn, a.grid, a.score_tenths FROM attempts a LEFT JOIN "
-                    "people p ON p.id = a.person_id" +
-                        whose + " ORDER BY a.id",
-                    doing, values);
+    auto rows = run(
+        school.db,
+        "SELECT a.uid, COALESCE(p.username, ''), COALESCE(p.given_name, ''), COALESCE(p.family_name, ''), "
+        "a.finished_utc, a.lesson_id, a.tooth, a.device, a.method, a.view_mode, a.seed, a.preset, "
+        "a.preset_hash, a.rubric_hash, a.lesson_hash, a.program, a.state_hash, a.recording_hash, "
+        "COALESCE(a.given_tenths, a.score_tenths), CASE WHEN a.given_tenths IS NULL THEN CASE WHEN a.doubt = '' "
+        "THEN a.passed ELSE 0 END WHEN a.given_tenths >= a.pass_mark_tenths THEN 1 ELSE 0 END, a.given_tenths, "
+        "a.expected_tenths, "
+        "a.duration_ms, a.mean_force_mn, a.peak_force_mn, a.grid, a.score_tenths, a.doubt FROM attempts a LEFT JOIN "
+        "people p ON p.id = a.person_id" +
+            whose + " ORDER BY a.id",
+        doing, values);
     if (!rows)
         return tl::unexpected(rows.error());
     const core::Error stopped{core::ErrorCode::FileUnwritable,
@@ -93,6 +96,7 @@ core::Result<std::int64_t> exportAttempts(const DatabaseContext& school, const L
         for (int column = 9; column <= 17; ++column)
             words(column);
         tenths(26);
+        words(27);
         line += "\r\n";
         if (!write(line))
             return tl::unexpected(stopped);

@@ -46,6 +46,24 @@ private:
         m_tables[table][about] = {joined(values)};
     }
 
+    /// Sets the row of an attempt; there is none for an attempt as it was delivered, without a doubt.
+    void setAttempt(const std::string& about)
+    {
+        const Verdict& now = m_attempts[about];
+        if (now.given.empty() && now.doubt.empty() && now.checked == "0")
+            m_tables["attempts"].erase(about);
+        else
+            set("attempts", about, {now.given, now.doubt, now.checked});
+    }
+
+    /// The columns of an attempt that may change.
+    struct Verdict
+    {
+        std::string given;
+        std::string doubt;
+        std::string checked = "0";
+    };
+
     struct Standing
     {
         std::string role;
@@ -56,6 +74,7 @@ private:
 
     std::map<std::string, Rows> m_tables;
     std::map<std::string, Standing> m_people;
+    std::map<std::string, Verdict> m_attempts;
     /// By class and lesson: uid of the first person who assigned it, and the expected row.
     std::map<std::pair<std::string, std::string>, std::pair<std::string, std::string>> m_assignments;
 };
@@ -68,10 +87,13 @@ void Noted::take(const std::string& actor, const std::string& action, const std:
     };
     if (action == "attempt.override") {
         m_tables["overrides"][about].insert(joined({actor, word("given_tenths"), word("digest_of_all")}));
-        if (detail.value(QStringLiteral("given_tenths")).isNull())
-            m_tables["attempts"].erase(about);
-        else
-            set("attempts", about, {word("given_tenths")});
+        m_attempts[about].given = word("given_tenths");
+        setAttempt(about);
+    } else if (action == "attempt.doubt" || action == "attempt.check") {
+        m_attempts[about].doubt = word("doubt");
+        if (action == "attempt.check")
+            m_attempts[about].checked = "1";
+        setAttempt(about);
     } else if (action == "attempt.comment") {
         m_tables["comments"][about].insert(joined({actor, "0", word("digest_of_all")}));
     } else if (action == "attempt.comment.withdraw") {
@@ -97,8 +119,12 @@ void Noted::take(const std::string& actor, const std::string& action, const std:
             giver = actor;
         auto& lessons = m_tables["assignments"][about];
         lessons.erase(row);
-        row = joined({word("lesson"), giver, word("due"), word("limit")});
+        row = joined({word("lesson"), giver, word("due"), word("limit"), word("hash")});
         lessons.insert(row);
+        auto& versions = m_tables["assigned_versions"][about];
+        if (const std::string version = joined({word("lesson"), word("hash")});
+            !word("hash").empty() && versions.count(version) == 0)
+            versions.insert(version);
     } else if (action == "lesson.unassign") {
         m_tables["assignments"][about].erase(m_assignments[{about, word("lesson")}].second);
         m_assignments.erase({about, word("lesson")});
@@ -167,7 +193,10 @@ constexpr Table kTables[]{
      "a.id "
      "= o.attempt_id JOIN people p ON p.id = o.author_id",
      asOpinion},
-    {"attempts", "SELECT 'attempt:' || uid, given_tenths FROM attempts WHERE given_tenths IS NOT NULL", plain},
+    {"attempts",
+     "SELECT 'attempt:' || uid, given_tenths, doubt, checked % 2 FROM attempts WHERE given_tenths IS NOT NULL OR doubt "
+     "<> '' OR checked = 1",
+     plain},
     {"comments",
      "SELECT 'attempt:' || a.uid, p.uid, CASE WHEN c.withdrawn_utc IS NULL THEN 0 ELSE 1 END, c.words, c.x_um, c.y_um, "
      "c.z_um, c.moment_ms, c.written_utc FROM comments c JOIN attempts a ON a.id = c.attempt_id JOIN people p ON p.id "
@@ -178,10 +207,10 @@ constexpr Table kTables[]{
     {"enrolments",
      "SELECT 'person:' || p.uid, 'class:' || e.class_id FROM enrolments e JOIN people p ON p.id = e.person_id", plain},
     {"assignments",
-     "SELECT 'class:' || a.class_id, a.lesson_id, p.uid, a.due_utc, a.attempt_limit FROM assignments a JOIN people p "
-     "ON "
-     "p.id = a.created_by",
+     "SELECT 'class:' || a.class_id, a.lesson_id, p.uid, a.due_utc, a.attempt_limit, a.lesson_hash FROM assignments a "
+     "JOIN people p ON p.id = a.created_by",
      plain},
+    {"assigned_versions", "SELECT 'class:' || class_id, lesson_id, lesson_hash FROM assigned_versions", plain},
     {"presets",
      "SELECT 'preset:' || r.name || ' v' || r.version, COALESCE(p.uid, ''), r.hash, r.json FROM presets r LEFT JOIN "
      "people p ON p.id = r.author_id",
@@ -221,7 +250,8 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
     if (auto read =
             forEach(db,
                     "SELECT actor, action, object, detail FROM audit WHERE action IN ('attempt.override', "
-                    "'attempt.comment', 'attempt.comment.withdraw', 'lesson.assign', 'lesson.unassign', 'person.add', "
+                    "'attempt.doubt', 'attempt.check', 'attempt.comment', 'attempt.comment.withdraw', 'lesson.assign', "
+                    "'lesson.unassign', 'person.add', "
                     "'person.change', 'password.code', 'password.change', 'password.reset', 'password.rehash', "
                     "'class.add', 'class.rename', 'class.enrol', 'class.leave', 'preset.add', 'setting.change', "
                     "'exam.begin') ORDER BY seq",

@@ -12,6 +12,7 @@
 
 #include "database/NameOrder.h"
 #include "database/sql/Attempts.h"
+#include "database/sql/Doubts.h"
 #include "database/sql/StartedExams.h"
 #include "database/sql/Statement.h"
 #include "lessons/ClassStanding.h"
@@ -107,6 +108,7 @@ core::Status readCells(const DatabaseContext& school, ClassOverview& overview,
 }
 
 /// Reads exams without a score and the limits of the students' other classes: both count if a class limits attempts.
+/// Reads the number of attempts in doubt.
 core::Status readLimits(const DatabaseContext& school, ClassOverview& overview,
                         const std::map<std::int64_t, std::size_t>& rowOf)
 {
@@ -126,6 +128,17 @@ core::Status readLimits(const DatabaseContext& school, ClassOverview& overview,
                                             cell->withoutScore = begun.count;
                                             cell->begunUtc = begun.newestUtc;
                                         });
+        !read)
+        return read;
+    if (auto read = forEach(school.db,
+                            "SELECT a.person_id, a.lesson_id, COUNT(*) FROM attempts a JOIN enrolments e ON "
+                            "e.person_id = a.person_id WHERE e.class_id = ? AND a.doubt <> '' AND a.doubt <> "
+                            "'version' AND a.given_tenths IS NULL GROUP BY a.person_id, a.lesson_id",
+                            kReadingOverview, {number(overview.id.value)},
+                            [&](const QSqlQuery& row) {
+                                if (MatrixCell* cell = cellOf(row.value(0).toLongLong(), textOf(row, 1)))
+                                    cell->inDoubt = row.value(2).toInt();
+                            });
         !read)
         return read;
     return forEach(
@@ -150,7 +163,8 @@ core::Status readRecent(const DatabaseContext& school, ClassOverview& overview,
         "a.score_tenths) AS score, CASE WHEN a.given_tenths IS NULL THEN a.passed WHEN a.given_tenths >= "
         "a.pass_mark_tenths THEN 1 ELSE 0 END AS passed, ROW_NUMBER() OVER (PARTITION BY a.person_id ORDER BY "
         "a.finished_utc DESC, a.id DESC) AS place FROM attempts a JOIN enrolments e ON e.person_id = a.person_id WHERE "
-        "e.class_id = ? AND a.lesson_id <> '') recent WHERE place <= ? ORDER BY person_id, place",
+        "e.class_id = ? AND a.lesson_id <> '' AND " +
+            doesCount() + ") recent WHERE place <= ? ORDER BY person_id, place",
         kReadingOverview, {number(overview.id.value), kRecent}, [&](const QSqlQuery& row) {
             const auto place = rowOf.find(row.value(0).toLongLong());
             if (place == rowOf.end())
@@ -221,7 +235,9 @@ LessonDifficulty difficultyOf(const std::map<std::int64_t, std::vector<std::pair
 QString amongThem(const AuthorizedUser& who)
 {
     return QStringLiteral(
-               " AND p.role = 'student' AND p.disabled = 0 AND a.person_id IN (SELECT e.person_id FROM enrolments e "
+               " AND %5 AND p.role = 'student' AND p.disabled = 0 AND a.person_id IN (SELECT e.person_id FROM "
+               "enrolments "
+               "e "
                "WHERE e.class_id IN (SELECT mine.class_id FROM enrolments mine JOIN enrolments theirs ON "
                "theirs.class_id = mine.class_id JOIN people one ON one.id = theirs.person_id WHERE mine.person_id = ? "
                "AND one.role = 'student' AND one.disabled = 0%1 GROUP BY mine.class_id HAVING COUNT(*) >= %2)) AND "
@@ -231,7 +247,7 @@ QString amongThem(const AuthorizedUser& who)
                  ? QStringLiteral(" AND mine.class_id IN (SELECT class_id FROM enrolments WHERE person_id = ?)")
                  : QString())
         .arg(lessons::kFewestPeople)
-        .arg(comparedDevice(QStringLiteral("a.device")), comparedDevice(QStringLiteral("own.device")));
+        .arg(comparedDevice(QStringLiteral("a.device")), comparedDevice(QStringLiteral("own.device")), doesCount());
 }
 
 QVariantList valuesOf(const AuthorizedUser& who, const Login& session, PersonId person, const std::string& lessonId)
@@ -286,7 +302,8 @@ core::Result<LessonResults> lessonResults(const DatabaseContext& school, const L
             "a.passed WHEN a.given_tenths >= a.pass_mark_tenths THEN 1 ELSE 0 END, a.criteria_json FROM attempts a "
             "JOIN "
             "enrolments e ON e.person_id = a.person_id JOIN people p ON p.id = a.person_id WHERE e.class_id = ? AND "
-            "p.role = 'student' AND p.disabled = 0 AND a.lesson_id = ? ORDER BY a.person_id, a.finished_utc, a.id",
+            "p.role = 'student' AND p.disabled = 0 AND a.lesson_id = ? AND " +
+                doesCount() + " ORDER BY a.person_id, a.finished_utc, a.id",
             kReadingOverview, {number(ofClass.value), text(lessonId)},
             [&](const QSqlQuery& row) {
                 auto& attempts = byPerson[row.value(0).toLongLong()];

@@ -9,6 +9,7 @@
 #include "database/sql/Check.h"
 #include "database/sql/Classes.h"
 #include "database/sql/Dialect.h"
+#include "database/sql/Doubts.h"
 #include "database/sql/Export.h"
 #include "database/sql/Feedback.h"
 #include "database/sql/Overview.h"
@@ -54,6 +55,14 @@ public:
     core::Result<std::vector<ExamStart>> examsWithoutScore(const Login& who, PersonId person) const override
     {
         return sql::examsWithoutScore(m_school, who, person);
+    }
+    core::Result<std::vector<AttemptId>> toCheck(const Login& who, int limit) const override
+    {
+        return attemptsToCheck(m_school, who, limit);
+    }
+    core::Status noteCheck(const Login& who, AttemptId id, Doubt found) override
+    {
+        return sql::noteCheck(m_school, who, id, found);
     }
     core::Result<std::vector<BandPoint>> classBand(const Login& who, PersonId person,
                                                    const std::string& lessonId) const override
@@ -126,9 +135,9 @@ public:
         return listAssignments(m_school, who);
     }
     core::Status assign(const Login& who, const ClassAssignment& assignment,
-                        const std::optional<ClassAssignment>& before) override
+                        const std::optional<ClassAssignment>& before, const QByteArray& pack) override
     {
-        return sql::assign(m_school, who, assignment, before);
+        return sql::assign(m_school, who, assignment, before, pack);
     }
     core::Status unassign(const Login& who, const ClassAssignment& before) override
     {

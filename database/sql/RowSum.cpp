@@ -16,7 +16,10 @@ void RowSum::add(const QSqlQuery& row, qsizetype columns)
     QCryptographicHash hash(QCryptographicHash::Blake2b_256);
     for (int k = 0; k < columns; ++k) {
         // The engines return different values for null.
-        const QByteArray bytes = row.isNull(k) ? QByteArray() : row.value(k).toString().toUtf8();
+        const QVariant value = row.value(k);
+        const QByteArray bytes = row.isNull(k)                             ? QByteArray()
+                                 : value.typeId() == QMetaType::QByteArray ? value.toByteArray()
+                                                                           : value.toString().toUtf8();
         hash.addData(row.isNull(k) ? QByteArray("-") : QByteArray::number(bytes.size()) + ':');
         hash.addData(bytes);
     }

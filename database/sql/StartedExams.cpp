@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "database/sql/Audit.h"
+#include "database/sql/Doubts.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -35,22 +36,22 @@ core::Result<std::map<Pair, std::vector<ExamStart>>> withoutScore(const Database
         return tl::unexpected(read.error());
     if (starts.empty())
         return starts;
-    if (auto read = forEach(school.db,
-                            "SELECT a.person_id, a.lesson_id, a.finished_utc FROM attempts a JOIN (SELECT DISTINCT "
-                            "s.person_id, s.lesson_id FROM exam_starts s WHERE " +
-                                where +
-                                ") begun ON begun.person_id = a.person_id AND begun.lesson_id = a.lesson_id ORDER BY "
-                                "a.finished_utc",
-                            kList, values,
-                            [&](const QSqlQuery& row) {
-                                std::vector<ExamStart>& left = starts[{row.value(0).toLongLong(), textOf(row, 1)}];
-                                const std::string finishedUtc = textOf(row, 2);
-                                const auto own = std::find_if(left.begin(), left.end(), [&](const ExamStart& start) {
-                                    return start.begunUtc <= finishedUtc;
-                                });
-                                if (own != left.end())
-                                    left.erase(own);
-                            });
+    if (auto read =
+            forEach(school.db,
+                    "SELECT a.person_id, a.lesson_id, a.finished_utc FROM attempts a JOIN (SELECT DISTINCT "
+                    "s.person_id, s.lesson_id FROM exam_starts s WHERE " +
+                        where + ") begun ON begun.person_id = a.person_id AND begun.lesson_id = a.lesson_id WHERE " +
+                        isAtItsLesson() + " ORDER BY a.finished_utc",
+                    kList, values,
+                    [&](const QSqlQuery& row) {
+                        std::vector<ExamStart>& left = starts[{row.value(0).toLongLong(), textOf(row, 1)}];
+                        const std::string finishedUtc = textOf(row, 2);
+                        const auto own = std::find_if(left.begin(), left.end(), [&](const ExamStart& start) {
+                            return start.begunUtc <= finishedUtc;
+                        });
+                        if (own != left.end())
+                            left.erase(own);
+                    });
         !read)
         return tl::unexpected(read.error());
     return starts;

@@ -2,6 +2,7 @@
 #include "database/sql/UserRepositories.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "database/sql/Attempts.h"
 #include "database/sql/Classes.h"
 #include "database/sql/Feedback.h"
+#include "database/sql/LessonVersions.h"
 #include "database/sql/Logins.h"
 
 namespace database::sql {
@@ -37,6 +39,11 @@ public:
         found.feedback = std::move(*feedback);
         found.assigned = std::move(*assigned);
         return found;
+    }
+
+    core::Result<QByteArray> version(const Login& who, const std::string& hash) const override
+    {
+        return versionPack(m_school, who, hash);
     }
 
     core::Result<std::optional<int>> attemptsLeft(const Login& who, const std::string& lessonId) const override
@@ -96,6 +103,7 @@ private:
         if (!assignments)
             return tl::unexpected(assignments.error());
         std::vector<AssignedLesson> lessons;
+        std::map<std::string, std::int64_t> newest;  // id of the assignment whose version is used, by lesson
         for (const ClassAssignment& one : *assignments) {
             auto lesson = std::find_if(lessons.begin(), lessons.end(),
                                        [&](const AssignedLesson& other) { return other.lessonId == one.lessonId; });
@@ -108,6 +116,10 @@ private:
             const auto ofClass = std::find_if(classes->begin(), classes->end(),
                                               [&](const SchoolClass& other) { return other.id == one.classId; });
             lesson->classes.emplace_back(ofClass != classes->end() ? ofClass->name : std::string(), one.dueUtc);
+            if (std::int64_t& of = newest[one.lessonId]; one.id > of) {
+                of = one.id;
+                lesson->lessonHash = one.lessonHash;
+            }
         }
         return lessons;
     }

@@ -82,6 +82,11 @@ struct FakeAttempts final : database::AttemptRepository, Fake
     {
         return orRefusal(exams);
     }
+    core::Result<std::vector<database::AttemptId>> toCheck(const database::Login&, int) const override
+    {
+        return orRefusal(std::vector<database::AttemptId>());
+    }
+    core::Status noteCheck(const database::Login&, database::AttemptId, database::Doubt) override { return done(); }
     core::Result<std::vector<database::BandPoint>> classBand(const database::Login&, database::PersonId,
                                                              const std::string&) const override
     {
@@ -189,7 +194,7 @@ struct FakeClasses final : database::ClassRepository, Fake
         return orRefusal(given);
     }
     core::Status assign(const database::Login&, const database::ClassAssignment& assignment,
-                        const std::optional<database::ClassAssignment>&) override
+                        const std::optional<database::ClassAssignment>&, const QByteArray&) override
     {
         if (!refusal)
             given.push_back(assignment);
@@ -357,6 +362,7 @@ struct FakeLessons final : database::LessonRepository, Fake
     std::vector<database::KeptSheet> kept;
 
     core::Result<database::LessonsOfUser> ofUser(const database::Login&) const override { return orRefusal(lessons); }
+    core::Result<QByteArray> version(const database::Login&, const std::string&) const override { return unknown(); }
     core::Result<std::optional<int>> attemptsLeft(const database::Login&, const std::string& lessonId) const override
     {
         const auto found = left.find(lessonId);

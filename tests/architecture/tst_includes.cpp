@@ -127,7 +127,7 @@ const QList<Arrows> kArrows{
                           "haptics haptics/falcon haptics/pointer"},
     {"lab", "core/base core/bur core/contact core/cutting core/servo core/terrain core/tracking haptics haptics/falcon "
             "haptics/simulated"},
-    {"database", "core/base lessons"},
+    {"database", "core/base core/recording lessons"},
     {"database/sql", "core/base lessons database"},
     {"ui/render", "core/base core/bur core/grading core/servo core/teeth core/terrain"},
     {"ui/sound", "core/audio core/rt"},
@@ -159,7 +159,7 @@ const QList<Arrows> kArrows{
                   "lessons database ui/admin ui/catalog ui/console ui/devices ui/inside ui/kit ui/lessoneditor "
                   "ui/people ui/practice ui/presets ui/replay ui/scoring ui/settings ui/text ui/tooth ui/toothchooser"},
     {"app/threads", "core/rt core/session haptics"},
-    {"app/school", "core/base core/recording database database/sql app/threads"},
+    {"app/school", "core/base core/recording lessons database database/sql app/threads"},
     {"app/devices", "core/base core/tracking core/settings core/session haptics/pedal haptics "
                     "haptics/falcon ui/sound ui/text ui/kit ui/devices ui/tooth ui/practice ui/window "
                     "app/threads"},

@@ -15,12 +15,16 @@
 #include "database/Outbox.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Copy.h"
+#include "database/sql/Doubts.h"
 #include "database/sql/Export.h"
 #include "database/sql/Feedback.h"
+#include "database/sql/LessonVersions.h"
 #include "database/sql/Overview.h"
 #include "database/sql/Presets.h"
 #include "database/sql/Roster.h"
 #include "database/sql/StartedExams.h"
+#include "lessons/LessonReader.h"
+#include "lessons/LessonVersion.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/Suite.h"
 
@@ -54,6 +58,7 @@ const std::map<Operation, const char*> kAllowed{
     {Operation::Comment, "--c-"},
     {Operation::WithdrawComment, "--o-"},
     {Operation::Override, "--c-"},
+    {Operation::CheckAttempt, "--ca"},
     {Operation::ReadClass, "--ca"},
     {Operation::ExportAttempts, "--ca"},
     {Operation::ListPresets, "aaaa"},
@@ -104,6 +109,11 @@ public:
         m_ownComment = comment(rig.instructor, rig.classmate);
         m_othersComment = comment(rig.otherInstructor, rig.stranger);
         m_classmate = findPerson(s, rig.admin, "s1002").value();
+        const lessons::Lesson lesson = *lessons::readLesson(":/lessons/block-1-line.lesson.json").lesson;
+        m_version = lesson.hash;
+        if (!assign(s, rig.instructor, {0, rig.first, lesson.id, "", 0, lesson.hash}, {},
+                    lessons::packVersion(lesson).value()))
+            qWarning("not assigned");
     }
     Asked(const Asked&) = delete;
     Asked& operator=(const Asked&) = delete;
@@ -130,6 +140,7 @@ private:
     std::int64_t m_ownComment = 0;
     std::int64_t m_othersComment = 0;
     Person m_classmate;
+    std::string m_version;  ///< of a lesson, assigned to the first class
     int m_names = 0;
 
 public:
@@ -155,6 +166,7 @@ public:
         {Operation::ChangeClasses, "enrol",
          [this](auto& me) { return enrol(s, me, m_rig.first, m_rig.student.person(), true); }},
         {Operation::ListAssignments, "listAssignments", [this](auto& me) { return listAssignments(s, me); }},
+        {Operation::ListAssignments, "versionPack", [this](auto& me) { return versionPack(s, me, m_version); }},
         {Operation::Assign, "assign",
          [this](auto& me, auto t) {
              return assign(s, me, {0, classOf(t), "class1-" + newUid(), "", 0});
@@ -199,6 +211,9 @@ public:
          [this](auto& me, auto t) { return withdrawComment(s, me, t == Mine ? m_ownComment : m_othersComment); }},
         {Operation::Override, "overrideScore",
          [this](auto& me, auto t) { return overrideScore(s, me, attempt(me, t), 800, "as seen"); }},
+        {Operation::CheckAttempt, "attemptsToCheck", [this](auto& me) { return attemptsToCheck(s, me, 10); }},
+        {Operation::CheckAttempt, "noteCheck",
+         [this](auto& me, auto t) { return noteCheck(s, me, attempt(me, t), Doubt::None); }},
         {Operation::ReadClass, "classOverview", [this](auto& me, auto t) { return classOverview(s, me, classOf(t)); }},
         {Operation::ReadClass, "lessonResults",
          [this](auto& me, auto t) { return lessonResults(s, me, classOf(t), "class1-36"); }},

@@ -62,10 +62,10 @@ private slots:
     void init()
     {
         openPage();
-        m_page->setLessons({{"a", "Decay, small", "Upper left first molar (26)", "Removing decay", {}},
-                            {"b", "Decay, deep", "Lower left first molar (36)", "Removing decay", {}},
-                            {"c", "Class I", "Lower left first molar (36)", "Cavities", {}},
-                            {"d", "Cross", "Practice block", "Blocks", "/lessons of ines/cross.lesson.json"}});
+        m_page->setLessons({{"a", "Decay, small", "Upper left first molar (26)", "Removing decay", {}, 0},
+                            {"b", "Decay, deep", "Lower left first molar (36)", "Removing decay", {}, 0},
+                            {"c", "Class I", "Lower left first molar (36)", "Cavities", {}, 0},
+                            {"d", "Cross", "Practice block", "Blocks", "dd", 4}});
         m_page->setAssignments(
             classOf(), {{1, kClass, "a", "2026-11-15T23:59:59Z", 3}, {2, {8}, "c", "", 0}, {3, kClass, "b", "", 0}},
             kToday);
@@ -78,14 +78,13 @@ private slots:
         QVERIFY(!assign->isEnabled());
         tick("Class I");
         tick("Cross");
-        QVERIFY(child<QLabel>("whereLessonsAre")->isVisible());  // "Cross" is in the teacher's own folder
         const QDate day(2026, 12, 4);
         first<QDateEdit>("dueDay")->setDate(day);
         first<QSpinBox>("attemptLimit")->setValue(5);
         click("assignTicked");
         const std::string due = ui::text::endOfDay(day);
         const QList<AssignmentChange> expected{{{}, ClassAssignment{0, kClass, "c", due, 5}},
-                                               {{}, ClassAssignment{0, kClass, "d", due, 5}}};
+                                               {{}, ClassAssignment{0, kClass, "d", due, 5, "dd", 4}}};
         QCOMPARE(wanted(spy), expected);
         QVERIFY(!assign->isEnabled());  // disabled until the answer
         m_page->refuse("The database is locked.");
@@ -199,6 +198,43 @@ private slots:
         QCOMPARE(wanted(spy), (QList<AssignmentChange>{{{}, given}}));
         m_page->confirm(wanted(spy));
         QVERIFY(!child<QPushButton>("undoAssign")->isVisible());
+    }
+
+    /// A class keeps the version that it was assigned until the teacher decides.
+    void aLaterVersionIsOffered()
+    {
+        const ClassAssignment third{1, kClass, "d", "", 3, "cc", 3};
+        const auto* later = child<QPushButton>("assignLater");
+        const auto choose = [&](const QList<ClassAssignment>& given) {
+            m_page->setAssignments(classOf(), given, kToday);
+            child<QTableView>("given")->selectAll();
+        };
+        choose({third});
+        QVERIFY2(later->isVisible() && later->text().contains("version 4"), qPrintable(later->text()));
+        QVERIFY(row(0)[0] != "Cross");
+        QSignalSpy spy(m_page, &AssignPage::changeRequested);
+        click("assignLater");
+        ClassAssignment fourth = third;
+        fourth.lessonHash = "dd";
+        fourth.lessonVersion = 4;
+        QCOMPARE(wanted(spy), (QList<AssignmentChange>{{third, fourth}}));
+        m_page->confirm({{third, fourth}});
+        click("undoAssign");
+        QCOMPARE(wanted(spy), (QList<AssignmentChange>{{fourth, third}}));
+        m_page->confirm({{fourth, third}});
+        // Nothing is offered in place of the same version or of a later one, and a changed file only as such.
+        choose({fourth});
+        QVERIFY(!later->isVisible());
+        QCOMPARE(row(0)[0], QString("Cross"));
+        choose({{1, kClass, "d", "", 3, "ee", 5}});
+        QVERIFY(!later->isVisible());
+        choose({{1, kClass, "d", "", 3, "ee", 4}});
+        QVERIFY2(later->isVisible() && !later->text().contains("4"), qPrintable(later->text()));
+        // A change of the due date keeps the version.
+        choose({third});
+        last<QSpinBox>("attemptLimit")->setValue(9);
+        click("changeGiven");
+        QCOMPARE(wanted(spy).front().after->lessonHash, third.lessonHash);
     }
 
     void whoHasNoAttemptsLeftIsTold()

@@ -408,7 +408,8 @@ private slots:
         });
         page("no classes", [this] { m_window->navigation().openClasses(); });
         page("assign", [this] {
-            m_window->assignPage().setLessons({{"0", "[···]", "[··]", "[·]", {}}, {"1", "[····]", "[··]", "[·]", {}}});
+            m_window->assignPage().setLessons(
+                {{"0", "[···]", "[··]", "[·]", {}, 0}, {"1", "[····]", "[··]", "[·]", {}, 0}});
             // Uses today's date, because the names of months come from Qt.
             const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
             m_window->assignPage().setAssignments({{7}, "[·]", {}, {}, {}}, {{1, {7}, "1", now, 3}});

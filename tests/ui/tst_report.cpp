@@ -304,7 +304,7 @@ private slots:
         limited.sheet.totalTenths = 650;
         row("limited", limited, {"Not passed: limited to 65.0"});
         row("harm, aids and a breach", card,
-            {ui::scoring::ScorePage::verdictWords(card.sheet, {}), "Not passed: critical error",
+            {ui::scoring::ScorePage::verdictWords(card.sheet, {}, {}), "Not passed: critical error",
              "1 breach(es) of the rules: ", " at 0:37", "Aids in use: section, ideal", "Middle half", "Class median",
              "Pass mark", "Not passed"},
             {"..."});

@@ -33,6 +33,8 @@ constexpr std::array kActions{
     std::pair{"lesson.assign", QT_TRANSLATE_NOOP("Admin", "gave a lesson to a class")},
     std::pair{"lesson.unassign", QT_TRANSLATE_NOOP("Admin", "took a lesson back")},
     std::pair{"attempt.add", QT_TRANSLATE_NOOP("Admin", "an attempt was kept")},
+    std::pair{"attempt.doubt", QT_TRANSLATE_NOOP("Admin", "an attempt was compared with the assigned version")},
+    std::pair{"attempt.check", QT_TRANSLATE_NOOP("Admin", "marked an attempt again from its recording")},
     std::pair{"exam.begin", QT_TRANSLATE_NOOP("Admin", "began an exam")},
     std::pair{"attempt.comment", QT_TRANSLATE_NOOP("Admin", "commented on an attempt")},
     std::pair{"attempt.comment.withdraw", QT_TRANSLATE_NOOP("Admin", "took a comment back")},

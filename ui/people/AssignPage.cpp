@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <QAbstractButton>
-#include <QDir>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -234,12 +233,6 @@ QWidget* AssignPage::makeOffers()
     column->addWidget(line(part));
     m_newTerms = new AssignTerms(part);
     column->addWidget(m_newTerms);
-    m_where = new QLabel(part);
-    m_where->setObjectName(QStringLiteral("whereLessonsAre"));
-    m_where->setTextFormat(Qt::PlainText);
-    m_where->setFont(typeface(kSmall));
-    m_where->setWordWrap(true);
-    column->addWidget(m_where);
     m_assign = new QPushButton(part);
     m_assign->setObjectName(QStringLiteral("assignTicked"));
     m_assign->setProperty("kind", "filled");
@@ -247,9 +240,10 @@ QWidget* AssignPage::makeOffers()
     connect(m_assign, &QPushButton::clicked, this, [this] {
         const AssignTerms::Terms terms = m_newTerms->terms();
         QList<AssignmentChange> changes;
-        for (const std::string& id : ticked())
-            changes << AssignmentChange{
-                {}, database::ClassAssignment{0, m_overview.id, id, terms.dueUtc, terms.attemptLimit}};
+        for (const LessonOffer& lesson : ticked())
+            changes << AssignmentChange{{},
+                                        database::ClassAssignment{0, m_overview.id, lesson.id, terms.dueUtc,
+                                                                  terms.attemptLimit, lesson.hash, lesson.version}};
         take(changes);
     });
     column->addWidget(m_assign);
@@ -304,7 +298,9 @@ QWidget* AssignPage::makeGiven()
     m_change->setObjectName(QStringLiteral("changeGiven"));
     m_takeBack = new QPushButton(part);
     m_takeBack->setObjectName(QStringLiteral("takeBack"));
-    for (QPushButton* button : {m_change, m_takeBack}) {
+    m_update = new QPushButton(part);
+    m_update->setObjectName(QStringLiteral("assignLater"));
+    for (QPushButton* button : {m_change, m_update, m_takeBack}) {
         button->setAutoDefault(true);
         buttons->addWidget(button);
     }
@@ -314,10 +310,24 @@ QWidget* AssignPage::makeGiven()
         QList<AssignmentChange> changes;
         for (const database::ClassAssignment& given : chosen()) {
             const AssignTerms::Terms before{given.dueUtc, given.attemptLimit};
-            if (const AssignTerms::Terms terms = m_terms->changed(before); terms != before)
-                changes << AssignmentChange{given, database::ClassAssignment{given.id, given.classId, given.lessonId,
-                                                                             terms.dueUtc, terms.attemptLimit}};
+            if (const AssignTerms::Terms terms = m_terms->changed(before); terms != before) {
+                database::ClassAssignment after = given;
+                after.dueUtc = terms.dueUtc;
+                after.attemptLimit = terms.attemptLimit;
+                changes << AssignmentChange{given, after};
+            }
         }
+        take(changes);
+    });
+    connect(m_update, &QPushButton::clicked, this, [this] {
+        QList<AssignmentChange> changes;
+        for (const database::ClassAssignment& given : chosen())
+            if (const LessonOffer* later = laterVersionOf(given)) {
+                database::ClassAssignment after = given;
+                after.lessonHash = later->hash;
+                after.lessonVersion = later->version;
+                changes << AssignmentChange{given, after};
+            }
         take(changes);
     });
     connect(m_takeBack, &QPushButton::clicked, this, [this] {
@@ -415,6 +425,16 @@ QString AssignPage::titleOf(const std::string& lessonId) const
     return found == m_lessons.end() ? QString::fromStdString(lessonId) : found->title;
 }
 
+/// Returns the version of this computer, if it is not the assigned one and has no lower number. Null otherwise.
+const LessonOffer* AssignPage::laterVersionOf(const database::ClassAssignment& given) const
+{
+    const auto offer = std::find_if(m_lessons.begin(), m_lessons.end(),
+                                    [&](const LessonOffer& one) { return one.id == given.lessonId; });
+    const bool isLater =
+        offer != m_lessons.end() && offer->hash != given.lessonHash && offer->version >= given.lessonVersion;
+    return isLater ? &*offer : nullptr;
+}
+
 /// Returns the students with no attempt left under these terms. Attempts before the assignment count.
 std::set<std::size_t> AssignPage::usedUp(const database::ClassAssignment& given) const
 {
@@ -435,8 +455,9 @@ std::set<std::size_t> AssignPage::usedUp(const database::ClassAssignment& given)
 /// Fills the list of lessons to assign. Keeps ticks, except of lessons that have been assigned meanwhile.
 void AssignPage::fillOffers()
 {
-    const std::vector<std::string> before = ticked();
-    const std::set<std::string> kept(before.begin(), before.end());
+    std::set<std::string> kept;
+    for (const LessonOffer& lesson : ticked())
+        kept.insert(lesson.id);
     const QString currentId = m_list->currentIndex().data(kId).toString();
     m_offers->clear();
     QString group;
@@ -548,7 +569,12 @@ void AssignPage::fillGiven()
             return item;
         };
         const QString title = titleOf(given.lessonId);
-        add(title, title)->setToolTip(title);
+        const LessonOffer* later = laterVersionOf(given);
+        //: %1: title of a lesson
+        add(later != nullptr ? tr("%1 (a later version is here)").arg(title) : title, title)
+            ->setToolTip(given.lessonVersion == 0 ? title
+                                                  //: %1: title of a lesson, %2: number of its version
+                                                  : tr("%1, version %2").arg(title).arg(given.lessonVersion));
         const bool isOver = !given.dueUtc.empty() && given.dueUtc < nowUtc;
         const QString due = text::dueShort(given.dueUtc, m_now);
         // Lessons without a due date are sorted last; their sort key is a year later than all others.
@@ -578,14 +604,20 @@ void AssignPage::fillGiven()
     updateChosen();
 }
 
-std::vector<std::string> AssignPage::ticked() const
+std::vector<LessonOffer> AssignPage::ticked() const
 {
-    std::vector<std::string> ids;
-    for (int row = 0; row < m_offers->rowCount(); ++row)
-        if (const QStandardItem* item = m_offers->item(row);
-            item->flags().testFlag(Qt::ItemIsUserCheckable) && item->checkState() == Qt::Checked)
-            ids.push_back(item->data(kId).toString().toStdString());
-    return ids;
+    std::vector<LessonOffer> lessons;
+    for (int row = 0; row < m_offers->rowCount(); ++row) {
+        const QStandardItem* item = m_offers->item(row);
+        if (!item->flags().testFlag(Qt::ItemIsUserCheckable) || item->checkState() != Qt::Checked)
+            continue;
+        const std::string id = item->data(kId).toString().toStdString();
+        const auto lesson =
+            std::find_if(m_lessons.begin(), m_lessons.end(), [&](const LessonOffer& one) { return one.id == id; });
+        if (lesson != m_lessons.end())
+            lessons.push_back(*lesson);
+    }
+    return lessons;
 }
 
 QList<database::ClassAssignment> AssignPage::chosen() const
@@ -606,7 +638,8 @@ void AssignPage::take(const QList<AssignmentChange>& changes)
     }
     m_isAsking = true;
     // The buttons are disabled until the answer arrives, and a disabled button passes its focus to the next widget.
-    m_hadFocus = m_assign->hasFocus() || m_change->hasFocus() || m_takeBack->hasFocus() || m_undo->hasFocus();
+    m_hadFocus = m_assign->hasFocus() || m_change->hasFocus() || m_update->hasFocus() || m_takeBack->hasFocus() ||
+                 m_undo->hasFocus();
     if (m_hadFocus)
         (m_given.isEmpty() ? static_cast<QWidget*>(m_list) : m_table)->setFocus();
     updateChosen();
@@ -668,7 +701,7 @@ void AssignPage::updateChosen()
     m_assign->setText(count == 0 ? tr("Assign") : tr("Assign %n lesson(s)", nullptr, count));
     m_assign->setAccessibleName(m_assign->text());
     m_assign->setEnabled(count > 0 && !m_isAsking && m_overview.id.value != 0);
-    updateWhere();
+    updateLater();
     const bool hasChosen = !m_table->selectionModel()->selectedRows().isEmpty();
     m_change->setEnabled(hasChosen && !m_isAsking);
     m_takeBack->setEnabled(hasChosen && !m_isAsking);
@@ -678,26 +711,25 @@ void AssignPage::updateChosen()
     m_undo->setEnabled(!m_isAsking);
 }
 
-/// Says where the files of lessons must be. The database contains no lessons, so a student finds a lesson that is not
-/// shipped only on a computer that has its file.
-void AssignPage::updateWhere()
+/// Offers later versions of the chosen lessons. A class keeps the version that it was assigned until a teacher decides.
+void AssignPage::updateLater()
 {
-    QStringList titles;
-    QStringList files;
-    for (const std::string& id : ticked())
-        for (const LessonOffer& lesson : m_lessons)
-            if (lesson.id == id && !lesson.file.isEmpty()) {
-                titles << lesson.title;
-                files << QDir::toNativeSeparators(lesson.file);
-            }
-    files.removeDuplicates();  // several lessons of one pack
-    m_where->setVisible(!titles.isEmpty());
-    //: %1: titles; %2: files
-    m_where->setText(tr("%n lesson(s) of your own: %1. Students find them only at computers that have their files, "
-                        "too: put a copy of %2 there into the folder that \"Your own lessons\" opens on the page of "
-                        "lessons.",
-                        nullptr, static_cast<int>(titles.size()))
-                         .arg(titles.join(QStringLiteral(", ")), files.join(QStringLiteral(", "))));
+    int count = 0;
+    int version = 0;
+    for (const database::ClassAssignment& given : chosen())
+        if (const LessonOffer* later = laterVersionOf(given)) {
+            ++count;
+            version = later->version > given.lessonVersion ? later->version : 0;
+        }
+    m_update->setVisible(count > 0);
+    m_update->setEnabled(count > 0 && !m_isAsking);
+    //: %1: number of the version
+    m_update->setText(count == 1 && version > 0 ? tr("Assign version %1 to new attempts").arg(version)
+                      : count == 1              ? tr("Assign the changed lesson to new attempts")
+                                                : tr("Assign %n changed lesson(s) to new attempts", nullptr, count));
+    m_update->setAccessibleName(m_update->text());
+    m_update->setToolTip(tr("Attempts that have been begun, and scores so far, stay with the version they were made "
+                            "with."));
 }
 
 void AssignPage::retell()

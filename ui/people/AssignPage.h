@@ -34,9 +34,10 @@ struct LessonOffer
 {
     std::string id;
     QString title;
-    QString tooth;  ///< "Lower left first molar (36)"
-    QString group;  ///< its heading in the list
-    QString file;   ///< the lesson's file, or the file of its pack; empty: shipped with the program
+    QString tooth;     ///< "Lower left first molar (36)"
+    QString group;     ///< its heading in the list
+    std::string hash;  ///< of this version (lessons::Lesson::hash)
+    int version = 0;
 };
 
 /// A change of one assignment. Empty terms mean "not assigned".
@@ -89,11 +90,12 @@ private:
     void keepCurrentInSight();
     void fillGiven();
     void updateChosen();
-    void updateWhere();
+    void updateLater();
     void take(const QList<AssignmentChange>& changes);
-    [[nodiscard]] std::vector<std::string> ticked() const;
+    [[nodiscard]] std::vector<LessonOffer> ticked() const;
     [[nodiscard]] QList<database::ClassAssignment> chosen() const;
     [[nodiscard]] QString titleOf(const std::string& lessonId) const;
+    [[nodiscard]] const LessonOffer* laterVersionOf(const database::ClassAssignment& given) const;
     [[nodiscard]] std::set<std::size_t> usedUp(const database::ClassAssignment& given) const;
 
     std::vector<LessonOffer> m_lessons;
@@ -111,7 +113,6 @@ private:
     QListView* m_list = nullptr;
     QLabel* m_noneFits = nullptr;  ///< shown instead of the list
     AssignTerms* m_newTerms = nullptr;
-    QLabel* m_where = nullptr;  ///< the files of lessons that are not shipped
     QPushButton* m_assign = nullptr;
     QLabel* m_givenTitle = nullptr;
     QStackedWidget* m_stack = nullptr;
@@ -120,6 +121,7 @@ private:
     QLabel* m_empty = nullptr;
     AssignTerms* m_terms = nullptr;
     QPushButton* m_change = nullptr;
+    QPushButton* m_update = nullptr;  ///< assigns later versions of the chosen lessons
     QPushButton* m_takeBack = nullptr;
     QLabel* m_said = nullptr;
     std::function<QString()> m_saying;  ///< returns the message in the current language; empty: the message is not

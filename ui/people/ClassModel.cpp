@@ -271,7 +271,12 @@ QString ClassModel::cellWords(const QModelIndex& index) const
             .arg(who);
     if (one->attempts == 0)
         return isLate(index) ? tr("%1: not tried, and overdue").arg(who) : tr("%1: not tried").arg(who);
-    const QString count = tr("%n attempt(s)", nullptr, one->attempts);
+    const QString count =
+        one->inDoubt > 0
+            //: %1: "4 attempts"
+            ? tr("%1, of which %n do not match their recordings and do not count", nullptr, one->inDoubt)
+                  .arg(tr("%n attempt(s)", nullptr, one->attempts))
+            : tr("%n attempt(s)", nullptr, one->attempts);
     const QString best = text::points(one->bestTenths);
     //: %1: student and lesson; %2: points; %3: "4 attempts"; %4: a date
     return (one->passed          ? tr("%1: best %2, passed, %3, last %4")
@@ -292,7 +297,8 @@ QVariant ClassModel::data(const QModelIndex& index, int role) const
             const std::string& last = m_overview.students[static_cast<std::size_t>(index.row())].lastAttemptUtc;
             return last.empty() ? QStringLiteral("–") : text::whenShort(last, m_now);
         }
-        return one->attempts == 0 ? QStringLiteral("–") : text::points(one->bestTenths);
+        return (one->inDoubt > 0 ? QStringLiteral("⚠ ") : QString()) +
+               (one->attempts <= one->inDoubt ? QStringLiteral("–") : text::points(one->bestTenths));
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
         return cellWords(index);

@@ -55,7 +55,8 @@ QString HistoryModel::words(const AttemptRecord& attempt, int column) const
     case Score:
         return text::points(attempt.countingTenths());
     case Result:
-        return attempt.countsAsPassed() ? tr("passed") : tr("not passed");
+        //: Of an attempt
+        return !attempt.counts() ? tr("does not count") : attempt.countsAsPassed() ? tr("passed") : tr("not passed");
     case Time:
         return text::clock(attempt.durationMs);
     case Force:
@@ -90,6 +91,8 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     case Qt::ToolTipRole:
         if (index.column() == Feedback && m_feedback.count(attempt.id) > 0)
             return tr("A teacher has written about this attempt or given another score: open its grade to read it");
+        if (!attempt.counts() && (index.column() == Score || index.column() == Result))
+            return text::doubtWords(attempt.doubt);
         if (index.column() == Score && attempt.givenTenths)
             return tr("Given by an instructor. The machine's score: %1").arg(text::points(attempt.scoreTenths));
         if (index.column() == Force)

@@ -111,7 +111,7 @@ void paintResult(Sheet& sheet, const scoring::ScoreCard& card)
     //: %1 and %2: points; %3: "Passed", "Not passed: critical error"
     sheet.say(CardWords::tr("%1 of 100 points, pass mark %2. %3")
                   .arg(text::points(attempt.countingTenths()), text::points(attempt.passMarkTenths),
-                       scoring::ScorePage::verdictWords(card.sheet, attempt.givenTenths)),
+                       scoring::ScorePage::verdictWords(card.sheet, attempt.givenTenths, attempt.doubt)),
               kTitlePt, QFont::DemiBold);
     if (attempt.givenTenths) {
         sheet.say(

@@ -322,6 +322,11 @@ QWidget* ScorePage::makeCriteria()
     m_presetWarning->setContentsMargins(kSpace2, 0, kSpace2, 0);
     m_presetWarning->setObjectName(QStringLiteral("presetWarning"));
     column->addWidget(m_presetWarning);
+    m_doubt = scoreLabel({}, kSmall, QFont::Normal, QPalette::WindowText, frame);
+    fold(m_doubt);
+    m_doubt->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    m_doubt->setObjectName(QStringLiteral("doubt"));
+    column->addWidget(m_doubt);
     m_detailsButton = new QToolButton(frame);
     m_detailsButton->setObjectName(QStringLiteral("scoreDetails"));
     m_detailsButton->setCheckable(true);
@@ -534,11 +539,14 @@ void ScorePage::setGiven(std::optional<int> tenths)
     retranslateUi();
 }
 
-QString ScorePage::verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths)
+QString ScorePage::verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths,
+                                database::Doubt doubt)
 {
     if (givenTenths)
         return *givenTenths >= sheet.passMarkTenths ? tr("Passed (teacher's decision)")
                                                     : tr("Not passed (teacher's decision)");
+    if (doubt != database::Doubt::None)
+        return tr("Does not count");
     if (sheet.passed())
         return tr("Passed");
     const std::optional<int> limit = sheet.limitTenths();
@@ -585,15 +593,8 @@ void ScorePage::retranslateUi()
     if (!isOtherFeel && !preset.isEmpty())
         how += u' ' + preset;
     m_rubric->setText(how);
-    const Tones tone = tones(palette());
     m_total->setText(text::points(total), tr("of 100"));
-    const bool passed = m_given ? *m_given >= m_sheet.passMarkTenths : m_sheet.passed();
-    m_verdict->setText(verdictWords(m_sheet, m_given));
-    m_verdictIcon->setPixmap(linePixmap(passed ? QStringLiteral("check") : QStringLiteral("cross"),
-                                        passed                       ? tone.accent
-                                        : m_sheet.failedCritically() ? tone.harm
-                                                                     : tone.attention,
-                                        26, devicePixelRatioF()));
+    updateVerdict();
     m_bar->setScore(total, m_sheet.passMarkTenths);
     m_conduct->setVisible(m_scored && m_scored->measured.process);
     if (m_scored && m_scored->measured.process)
@@ -603,6 +604,23 @@ void ScorePage::retranslateUi()
     updateNoise();
     updateUnrecorded();
     updateHistory();
+}
+
+/// Shows whether the attempt has passed, or why it does not count.
+void ScorePage::updateVerdict()
+{
+    const database::Doubt doubt = m_history.isEmpty() ? database::Doubt::None : m_history.front().doubt;
+    const bool isInDoubt = doubt != database::Doubt::None && !m_given;
+    m_doubt->setVisible(isInDoubt);
+    m_doubt->setText(QStringLiteral("⚠ ") + text::doubtWords(doubt));
+    const bool passed = m_given ? *m_given >= m_sheet.passMarkTenths : m_sheet.passed() && !isInDoubt;
+    m_verdict->setText(verdictWords(m_sheet, m_given, doubt));
+    const Tones tone = tones(palette());
+    m_verdictIcon->setPixmap(linePixmap(passed ? QStringLiteral("check") : QStringLiteral("cross"),
+                                        passed                       ? tone.accent
+                                        : m_sheet.failedCritically() ? tone.harm
+                                                                     : tone.attention,
+                                        26, devicePixelRatioF()));
 }
 
 /// Says that an old attempt has no recording. The current attempt can always be shown.
@@ -771,6 +789,8 @@ void ScorePage::setClass(const ::lessons::ClassStanding& standing)
 void ScorePage::setHistory(const QList<database::AttemptRecord>& history)
 {
     m_history = history;
+    if (m_isShown)
+        updateVerdict();
     updateHistory();
 }
 

@@ -70,7 +70,9 @@ public:
     [[nodiscard]] CommentsPanel& talk() { return *m_talk; }
     /// Returns the result in words, for the page and for print.
     /// @param givenTenths  the score given by a teacher, if any
-    [[nodiscard]] static QString verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths);
+    /// @param doubt        of the attempt
+    [[nodiscard]] static QString verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths,
+                                              database::Doubt doubt);
     /// Returns the sum of the criteria in words. Calls it the computed score if a teacher gave another one.
     [[nodiscard]] static QString sumWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths);
     /// Returns the contents of the printed card. The caller adds attempt, person, comments and proof.
@@ -130,6 +132,7 @@ private:
     void updateAdvice();
     void showDetails(bool shown);
     void updateNoise();
+    void updateVerdict();
     void updateUnrecorded();
     void updateMoments();
     void updateHistory();
@@ -172,6 +175,7 @@ private:
     QToolButton* m_detailsButton = nullptr;
     QWidget* m_details = nullptr;
     QLabel* m_presetWarning = nullptr;
+    QLabel* m_doubt = nullptr;  ///< why the attempt does not count
     QLabel* m_noise = nullptr;
     QLabel* m_unrecorded = nullptr;
     QLabel* m_rubric = nullptr;

@@ -27,6 +27,24 @@ QString lessonTitle(const LessonTitles& titles, const std::string& lessonId)
     return titles.value(id, id);
 }
 
+QString doubtWords(database::Doubt doubt)
+{
+    switch (doubt) {
+    case database::Doubt::Version:
+        return PersonWords::tr("This attempt was made with another version of the lesson than the one that was "
+                               "assigned. It is practice and does not count.");
+    case database::Doubt::Recording:
+        return PersonWords::tr("The recording is missing, damaged or not of this attempt. The score does not count "
+                               "until a teacher gives one.");
+    case database::Doubt::Score:
+        return PersonWords::tr("The recording gives another result than the one that was reported. The score does not "
+                               "count until a teacher gives one.");
+    case database::Doubt::None:
+        break;
+    }
+    return {};
+}
+
 QDateTime momentOf(const std::string& utc)
 {
     return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);

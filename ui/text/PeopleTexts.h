@@ -21,6 +21,8 @@ using LessonTitles = QHash<QString, QString>;
 /// Returns the title of a lesson. Returns its id if the lesson is unknown, and the name of the tooth for practice
 /// without a lesson.
 [[nodiscard]] QString lessonTitle(const LessonTitles& titles, const std::string& lessonId);
+/// Returns why an attempt does not count, in a sentence or two. Empty for Doubt::None.
+[[nodiscard]] QString doubtWords(database::Doubt doubt);
 /// Returns a local date and time, "20/11/2026 10:15", in the format of the language. Empty for an empty string.
 [[nodiscard]] QString when(const std::string& utc);
 /// Returns a short date: "today", "yesterday", "Tue", "12 Nov", "Nov 2024".

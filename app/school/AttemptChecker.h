@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <set>
+
+#include <QByteArray>
+#include <QObject>
+#include <QTimer>
+
+#include "app/school/SchoolAccess.h"
+#include "app/school/SchoolSession.h"
+#include "core/base/Result.h"
+#include "database/AttemptRecord.h"
+
+namespace app {
+
+/// Marks the attempts of students again from their recordings, one after the other, while a teacher or an admin is
+/// logged in: the computer of a student may report any score. Pauses after each for as long as it took. Ui thread.
+class AttemptChecker final : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr std::chrono::seconds kInterval{20};  ///< between searches for attempts to check
+
+    /// @param school  must outlive this object, and so must its service
+    explicit AttemptChecker(const SchoolSession& school, std::chrono::milliseconds interval = kInterval);
+
+signals:
+    /// Emitted when an attempt does not match its recording.
+    void doubted();
+
+private:
+    struct Waiting;
+    void search();
+    void check(const Waiting& waiting);
+    void note(database::AttemptId id, database::Doubt found);
+
+    const SchoolSession& m_school;
+    QTimer m_timer;
+    bool m_isBusy = false;
+    std::set<std::int64_t> m_unreadable;  ///< attempts whose recordings the school cannot read now
+};
+
+}  // namespace app

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/AttemptCheck.h"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/recording/Recording.h"
+
+namespace database {
+namespace {
+
+constexpr double kMnPerN = 1000.0;
+constexpr double kMsPerS = 1000.0;
+
+/// Returns whether a recording begins with the tooth of its lesson, uncut and unchanged. Its text of the lesson does
+/// not contain the scan, so the tooth of a scan is compared only with the lesson that the school stores.
+bool isOfItsTooth(const core::recording::Recording& recording, const lessons::Lesson& lesson,
+                  const std::optional<lessons::Lesson>& assigned)
+{
+    if (assigned && assigned->hash == lesson.hash)
+        return lessons::isToothOf(*assigned, *recording.anatomy());
+    return std::holds_alternative<lessons::Scan>(lesson.tooth) || lessons::isToothOf(lesson, *recording.anatomy());
+}
+
+}  // namespace
+
+void setProven(AttemptRecord& attempt, const lessons::Assignment& assignment, const lessons::ScoreSheet& sheet,
+               const lessons::Conduct& conduct, std::uint64_t stateHash)
+{
+    const auto& process = conduct.process;
+    attempt.tooth = assignment.anatomy->name;
+    attempt.grid = assignment.anatomy->grid.side;
+    attempt.seed = std::to_string(assignment.anatomy->seed);
+    attempt.lessonId = assignment.lesson ? assignment.lesson->id : std::string();
+    attempt.lessonHash = assignment.lesson ? assignment.lesson->hash : std::string();
+    attempt.rubricHash = sheet.rubricHash;
+    attempt.scoreTenths = sheet.totalTenths;
+    attempt.passed = sheet.passed();
+    attempt.passMarkTenths = sheet.passMarkTenths;
+    attempt.criteria.clear();
+    for (const lessons::Criterion& criterion : sheet.criteria)
+        attempt.criteria.push_back({criterion.id, criterion.lostTenths, criterion.weightTenths});
+    attempt.durationMs = std::llround(kMsPerS * process.totalS);
+    attempt.stateHash = QStringLiteral("%1").arg(stateHash, 16, 16, QLatin1Char('0')).toStdString();
+    attempt.meanForceMn = process.force ? static_cast<int>(std::lround(process.force->meanN * kMnPerN)) : 0;
+    attempt.peakForceMn = process.force ? static_cast<int>(std::lround(process.force->largestN * kMnPerN)) : 0;
+}
+
+Doubt checkAttempt(const AttemptRecord& attempt, const QByteArray& recording,
+                   const std::optional<lessons::Lesson>& assigned)
+{
+    const auto read = core::recording::Recording::fromBytes(
+        std::string_view(recording.constData(), static_cast<std::size_t>(recording.size())));
+    const auto assignment = read ? lessons::assignmentOf(read->anatomy(), read->lesson())
+                                 : core::Result<lessons::Assignment>(tl::unexpected(read.error()));
+    if (!assignment)
+        return Doubt::Recording;
+    if (const std::optional<lessons::Lesson>& lesson = assignment->lesson) {
+        if (lesson->hash != attempt.lessonHash || !isOfItsTooth(*read, *lesson, assigned))
+            return Doubt::Recording;
+    } else if (!attempt.lessonId.empty()) {
+        return Doubt::Recording;
+    } else if (assignment->rubric.hash != attempt.rubricHash) {
+        return Doubt::None;
+    }
+    const auto marked = lessons::markAgain(*read);
+    if (!marked)
+        return Doubt::Recording;
+    AttemptRecord again = attempt;
+    setProven(again, *assignment, marked->mark.sheet, marked->conduct, marked->outcome.stateHash);
+    return again == attempt ? Doubt::None : Doubt::Score;
+}
+
+}  // namespace database
