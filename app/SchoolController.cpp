@@ -118,7 +118,7 @@ void SchoolController::connectService()
 /// Marks attempts again while a teacher or an admin is logged in.
 void SchoolController::beginChecks()
 {
-    m_checker = std::make_unique<AttemptChecker>(m_school);
+    m_checker = std::make_unique<AttemptChecker>(m_school, m_options.retry);
     connect(m_checker.get(), &AttemptChecker::doubted, this, [this] {
         m_window.showMessage(tr("An attempt does not match its recording, so its score does not count. It is marked in "
                                 "the student's attempts and in the table of the class."));

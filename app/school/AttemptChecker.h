@@ -22,10 +22,9 @@ class AttemptChecker final : public QObject
     Q_OBJECT
 
 public:
-    static constexpr std::chrono::seconds kInterval{20};  ///< between searches for attempts to check
-
-    /// @param school  must outlive this object, and so must its service
-    explicit AttemptChecker(const SchoolSession& school, std::chrono::milliseconds interval = kInterval);
+    /// @param school    must outlive this object, and so must its service
+    /// @param interval  between searches for attempts to check
+    AttemptChecker(const SchoolSession& school, std::chrono::milliseconds interval);
 
 signals:
     /// Emitted when an attempt does not match its recording.

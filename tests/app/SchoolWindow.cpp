@@ -6,9 +6,13 @@
 #include <QLineEdit>
 #include <QListView>
 
+#include "database/AttemptCheck.h"
+#include "database/sql/Attempts.h"
 #include "database/sql/Classes.h"
+#include "database/sql/Doubts.h"
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
+#include "lessons/LessonVersion.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/scoring/ScorePage.h"
 #include "ui/scoring/ScorePredictionPage.h"
@@ -177,7 +181,23 @@ void SchoolWindow::assign(const std::string& lesson, int attempts, const std::st
     const OtherStation elsewhere(place());
     const auto admin = elsewhere.logIn("admin");
     const ClassId ofClass = sql::listClasses(elsewhere.school, admin).value().front().id;
-    QVERIFY(sql::assign(elsewhere.school, admin, {0, ofClass, lesson, dueUtc, attempts}));
+    const lessons::Lesson version = lessons::lessonNamed(QString::fromStdString(lesson)).value();
+    QVERIFY(sql::assign(elsewhere.school, admin, {0, ofClass, lesson, dueUtc, attempts, version.hash}, {},
+                        lessons::packVersion(version).value()));
+}
+
+void SchoolWindow::expectProven(database::Doubt doubt) const
+{
+    const OtherStation elsewhere(place());
+    const auto admin = elsewhere.logIn("admin");
+    const auto all = sql::attemptsToCheck(elsewhere.school, admin, 100);
+    for (const AttemptId id : *all) {
+        const auto attempt = sql::openAttempt(elsewhere.school, admin, id);
+        QCOMPARE(doubtId(attempt->doubt), doubtId(doubt));
+        const auto recording = sql::openRecording(elsewhere.school, admin, id);
+        QCOMPARE(doubtId(checkAttempt(*attempt, recording.value())),
+                 doubtId(doubt == Doubt::Score ? doubt : Doubt::None));
+    }
 }
 
 void SchoolWindow::grade(const QString& words) const

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QTableView>
 
+#include "database/Doubt.h"
 #include "database/sql/DatabaseContext.h"
 #include "database/sql/Statement.h"
 #include "lessons/LessonCatalog.h"
@@ -34,7 +35,20 @@ public:
         lesson.write(R"({"format": 1, "based_on": "decay-36-1-small.lesson.json", "id": "exam-36", "exam": true,
                          "title": {"en": "The exam"}})");
     }
-    ~Exam() { QFile::remove(m_file); }
+    ~Exam() { remove(); }
+    /// Changes the lesson, as a student could.
+    /// @param keys  JSON, added to those of the lesson
+    void change(const QByteArray& keys) const
+    {
+        QFile lesson(m_file);
+        if (!lesson.open(QIODevice::ReadWrite))
+            qFatal("the exam cannot be changed");
+        const QByteArray changed = lesson.readAll().replace("\"exam\": true", "\"exam\": true, " + keys);
+        lesson.resize(0);
+        lesson.seek(0);
+        lesson.write(changed);
+    }
+    void remove() const { QFile::remove(m_file); }
     Exam(const Exam&) = delete;
     Exam& operator=(const Exam&) = delete;
 
@@ -101,6 +115,9 @@ protected:
     void openAdminPage(ui::admin::AdminPage::Part part) const;
     /// Assigns a lesson to Sam's class, with this number of attempts.
     void assign(const std::string& lesson, int attempts, const std::string& dueUtc = {}) const;
+    /// Marks all attempts in the database again, and expects the scores that were reported.
+    /// @param doubt  with which they are stored
+    void expectProven(database::Doubt doubt = database::Doubt::None) const;
     /// Requests the grade, and waits until the score page shows these words about where the grade is saved.
     void grade(const QString& saved) const;
     /// Grades a lesson, and waits until the database has this number of attempts.

@@ -9,12 +9,18 @@
 #include <QPlainTextEdit>
 #include <QSlider>
 
+#include "database/Outbox.h"
+#include "database/Passwords.h"
+#include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Backups.h"
 #include "database/sql/StartedExams.h"
+#include "lessons/LessonReader.h"
 #include "lessons/PresetFile.h"
 #include "tests/app/SchoolWindow.h"
+#include "tests/support/Files.h"
 #include "tests/support/OpenGlMain.h"
+#include "tests/support/Tables.h"
 #include "ui/catalog/LessonsPage.h"
 #include "ui/charts/ChartPanel.h"
 #include "ui/people/HistoryModel.h"
@@ -36,7 +42,81 @@ class TestSchoolWork : public support::SchoolWindow
 private slots:
     void initTestCase() { makeSchool(); }
     void init() { takeCopyOfSchool(); }
-    void cleanup() { m_application.reset(); }
+    void cleanup()
+    {
+        m_application.reset();
+        expectProven(std::exchange(m_doubt, Doubt::None));
+    }
+
+    /// An instructor assigns an exam. A student then makes the file of its lesson easier, or removes it.
+    void anAssignedExamIsTheSchools_data() { support::rows<bool>("isRemoved", {false, true}); }
+    void anAssignedExamIsTheSchools()
+    {
+        QFETCH(bool, isRemoved);
+        const Exam exam;
+        const std::string assigned = lessons::lessonNamed("exam-36").value().hash;
+        assign("exam-36", 1);
+        exam.change(R"("rules": {"pulp_exposed": false}, "minutes": 90)");
+        QVERIFY(lessons::lessonNamed("exam-36").value().hash != assigned);
+        if (isRemoved)
+            exam.remove();
+        startAs("sam");
+        WAIT_FOR(child<QListView>("lessonList")->model()->rowCount() > 2);
+        startAssigned(true);
+        drill(-2.0);
+        gradeLesson(1);
+        QCOMPARE(OtherStation(file()).ask("SELECT lesson_hash FROM attempts").toString().toStdString(), assigned);
+    }
+
+    /// The student opens the changed file without the list: it is practice, and the score card says so.
+    void aChangedLessonIsPractice()
+    {
+        assign("block-line", 3);
+        const QString own = m_folder->filePath("own.lesson.json");
+        support::write(own, R"({"format": 1, "based_on": "block-1-line.lesson.json", "minutes": 90})");
+        beginAs("sam");
+        openLesson(lessons::readLesson(own).lesson.value());
+        drill(0.0);
+        gradeLesson(1);
+        m_doubt = Doubt::Version;
+        const auto* told = child<QLabel>("doubt");
+        WAIT_FOR(told->isVisible());
+        QCOMPARE(child<QLabel>("verdict")->text(), QString("Does not count"));
+        QCOMPARE(count("standings"), 0);
+    }
+
+    /// A student can read the key of the station, and so sign a letter with any score.
+    void aScoreThatItsRecordingDoesNotGiveDoesNotCount()
+    {
+        beginAs("sam");
+        drill(-2.0);
+        grade("");
+        WAIT_FOR_VALUE(attempts(), 1);
+        m_application.reset();
+        {
+            const OtherStation elsewhere(file());
+            const Login sam = elsewhere.logIn("sam");
+            AttemptRecord forged = sql::openAttempt(elsewhere.school, sam, {1}).value();
+            forged.uid = newUid();
+            forged.scoreTenths = 1000;
+            forged.passed = true;
+            QVERIFY(Outbox(m_folder->filePath("outbox"), elsewhere.school.key)
+                        .put(sam, forged, sql::openRecording(elsewhere.school, sam, {1}).value()));
+        }
+        beginAs("sam");
+        WAIT_FOR_VALUE(attempts(), 2);
+        QCOMPARE(count("attempts WHERE doubt = 'score'"), 1);
+        QCOMPARE(count("standings WHERE best_tenths = 1000"), 0);
+        openAttempts();
+        openNewest();
+        QVERIFY(child<QLabel>("doubt")->isVisible());
+        // An earlier program of the student has delivered it unchecked. The computer of the teacher checks it.
+        OtherStation(file()).execute("UPDATE attempts SET doubt = ''");
+        switchTo("ines");
+        WAIT_FOR_VALUE(count("attempts WHERE checked = 1 AND doubt = 'score'"), 1);
+        WAIT_FOR_VALUE(count("attempts WHERE checked = 1 AND doubt = ''"), 1);
+        waitForMessage("does not match its recording");
+    }
 
     /// On a slow computer the tooth is made in the background while people log in and out.
     void whoLogsInBeforeTheFirstToothIsMadeGetsIt()
@@ -646,6 +726,8 @@ private slots:
     }
 
 private:
+    Doubt m_doubt = Doubt::None;  ///< with which the attempts of the test are stored
+
     void beginAs(const QString& name)
     {
         startAs(name);
