@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/Noted.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -11,6 +13,7 @@
 #include <QJsonObject>
 
 #include "database/Passwords.h"
+#include "database/Permissions.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/People.h"
 #include "database/sql/Statement.h"
@@ -33,11 +36,30 @@ std::string joined(std::initializer_list<std::string> values)
     return all;
 }
 
+/// An action of the audit and the operation that it is.
+struct Act
+{
+    const char* action;
+    Operation operation;
+};
+constexpr Act kActs[]{
+    {"person.add", Operation::AddPerson},         {"person.change", Operation::ChangePerson},
+    {"password.reset", Operation::ResetPassword}, {"class.add", Operation::ChangeClasses},
+    {"class.rename", Operation::ChangeClasses},   {"class.enrol", Operation::ChangeClasses},
+    {"class.leave", Operation::ChangeClasses},    {"lesson.assign", Operation::Assign},
+    {"lesson.unassign", Operation::Assign},       {"attempt.comment", Operation::Comment},
+    {"attempt.override", Operation::Override},    {"attempt.check", Operation::CheckAttempt},
+    {"preset.add", Operation::AddPreset},         {"setting.change", Operation::ChangeSettings},
+};
+
 /// Replays the audit from its first row and computes the expected content of each table.
 class Noted
 {
 public:
     void take(const std::string& actor, const std::string& action, const std::string& about, const QJsonObject& detail);
+    /// Returns whether the role that the actor has at this row permits the action. True for a person from before there
+    /// was an audit, whose role is not noted.
+    [[nodiscard]] bool mayDo(const std::string& actor, const std::string& action) const;
     [[nodiscard]] Rows rowsOf(const std::string& table) { return std::move(m_tables[table]); }
 
 private:
@@ -78,6 +100,19 @@ private:
     /// By class and lesson: uid of the first person who assigned it, and the expected row.
     std::map<std::pair<std::string, std::string>, std::pair<std::string, std::string>> m_assignments;
 };
+
+bool Noted::mayDo(const std::string& actor, const std::string& action) const
+{
+    if (actor == "system")  // the first admin is entered by nobody
+        return action != "person.add" || m_people.empty();
+    const auto* const act =
+        std::find_if(std::begin(kActs), std::end(kActs), [&](const Act& one) { return action == one.action; });
+    const auto person = m_people.find("person:" + actor);
+    if (act == std::end(kActs) || person == m_people.end())
+        return true;
+    const auto role = roleOf(person->second.role);
+    return !role || reachOf(act->operation, *role) != Reach::Nothing;
+}
 
 void Noted::take(const std::string& actor, const std::string& action, const std::string& about,
                  const QJsonObject& detail)
@@ -249,7 +284,7 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
     Noted noted;
     if (auto read =
             forEach(db,
-                    "SELECT actor, action, object, detail FROM audit WHERE action IN ('attempt.override', "
+                    "SELECT actor, action, object, detail, seq FROM audit WHERE action IN ('attempt.override', "
                     "'attempt.doubt', 'attempt.check', 'attempt.comment', 'attempt.comment.withdraw', 'lesson.assign', "
                     "'lesson.unassign', 'person.add', "
                     "'person.change', 'password.code', 'password.change', 'password.reset', 'password.rehash', "
@@ -257,6 +292,10 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
                     "'exam.begin') ORDER BY seq",
                     kComparing, {},
                     [&](const QSqlQuery& row) {
+                        if (!noted.mayDo(textOf(row, 0), textOf(row, 1)))
+                            say({QT_TRANSLATE_NOOP("Finding", "row %1 of the audit was not written by Cusp: the role "
+                                                              "of person:%2 did not permit %3 on %4 then"),
+                                 {textOf(row, 4), textOf(row, 0), textOf(row, 1), textOf(row, 2)}});
                         noted.take(textOf(row, 0), textOf(row, 1), textOf(row, 2),
                                    QJsonDocument::fromJson(row.value(3).toByteArray()).object());
                     });

@@ -61,7 +61,8 @@ public:
             if (auto kept = deliverAttempt(m_school, attemptOf(student, pick(m_lessons.size()), share), {}); !kept)
                 done = tl::unexpected(kept.error());
         }
-        return done;
+        // They have no recordings.
+        return done ? execute(m_school.db, "UPDATE attempts SET checked = 2", kDoing) : done;
     }
 
 private:

@@ -410,6 +410,38 @@ private slots:
         QCOMPARE(report->auditCode, auditHead(rig.school())->code());
     }
 
+    /// Who has the key of a station can write rows that are signed well, but not in the name of their own role.
+    void anActIsComparedWithTheRoleOfItsActor_data() { support::addEngines(); }
+    void anActIsComparedWithTheRoleOfItsActor()
+    {
+        COPY_OF(support::populatedSchool, rig);
+        const DatabaseContext& school = rig.school();
+        const auto forge = [&](const std::string& actor, const std::string& action, const std::string& object,
+                               const QJsonObject& detail) {
+            return inTurn(school, "forge", [&] { return note(school, actor, action, object, detail); });
+        };
+        rig.run({"INSERT INTO settings (owner, name, value) VALUES ('', 'idle.minutes', '999')"});
+        VERIFY_DONE(forge(rig.student.uid(), "setting.change", "setting:idle.minutes", {{"value", "999"}}));
+        QString said = support::faultsOf(school.db);
+        QVERIFY2(said.contains("did not permit setting.change") && !said.contains('\n'), qPrintable(said));
+        rig.run({QStringLiteral("INSERT INTO classes (name) VALUES ('forged')")});
+        VERIFY_DONE(forge(rig.instructor.uid(), "class.add",
+                          "class:" + ask(school.db, "SELECT max(id) FROM classes", "x")->toString().toStdString(),
+                          {{"name", "forged"}}));
+        said = support::faultsOf(school.db);
+        QVERIFY2(said.contains("did not permit class.add") && said.count('\n') == 1, qPrintable(said));
+        // The roles of that time count: an admin who is none any more has acted as one.
+        VERIFY_DONE(addPerson(school, rig.admin, {"second", "", "", Role::Admin}));
+        Person second = findPerson(school, rig.admin, "second").value();
+        VERIFY_DONE(forge(second.uid, "class.add", "class:77", {{"name", "x"}}));
+        second.role = Role::Student;
+        VERIFY_DONE(changePerson(school, rig.admin, second));
+        QVERIFY(!support::faultsOf(school.db).contains(QString::fromStdString(second.uid)));
+        // Nobody but the first admin is entered by nobody.
+        VERIFY_DONE(forge("system", "person.add", "person:" + newUid(), {{"role", "admin"}}));
+        QVERIFY(support::faultsOf(school.db).contains("did not permit person.add"));
+    }
+
     void namesOfPeopleAreNotInIt()
     {
         SchoolRig rig(support::populatedSchool(false));
