@@ -100,6 +100,12 @@ void SchoolController::connectService()
             [this](const core::Error& error) { m_window.showError(error, FailedOperation::SendingAttempt); });
     connect(service, &SchoolService::unanswered, &m_window, &MainWindow::showDatabaseSilent);
     connect(service, &SchoolService::answered, &m_window, &MainWindow::hideDatabaseSilent);
+    connect(service, &SchoolService::foundOlder, this, [this] {
+        m_window.showMessage(
+            tr("The database is older than when this computer last used it: attempts and changes may be "
+               "missing. If nobody restored a backup, somebody put an older copy in its place. The "
+               "audit has a row about it."));
+    });
     connect(service, &SchoolService::waitOn, this, [this](int count) {
         m_window.showMessage(tr("%n attempt(s) on this computer cannot be sent to this school: the student is "
                                 "unknown, or another station.key signed them. They stay on this computer.",

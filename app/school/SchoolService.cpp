@@ -13,6 +13,7 @@
 #include "database/AttemptCheck.h"
 #include "database/Passwords.h"
 #include "database/sql/Attempts.h"
+#include "database/sql/Audit.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
 #include "database/sql/Repositories.h"
@@ -101,6 +102,8 @@ SchoolService::~SchoolService()
 {
     // The database must be closed after all requests, and on the thread that opened it.
     post([this] {
+        if (!m_address.isServer())  // it may not answer any more
+            rememberAudit();
         m_school.reset();
         m_database.reset();
         m_there.moveToThread(nullptr);
@@ -223,7 +226,29 @@ core::Status SchoolService::openDatabase()
     const QSqlDatabase db = m_database->handle();
     m_school = std::make_unique<database::sql::DatabaseContext>(
         database::sql::DatabaseContext{db, *m_key, database::sql::clockOf(db)});
+    compareAudit();
     return {};
+}
+
+/// Notices an older copy in the place of the database.
+void SchoolService::compareAudit()
+{
+    const auto seen = m_memory.of(m_known);
+    if (!m_known.empty() && seen && database::sql::isOlderThan(*m_school, seen->head, seen->atUtc).value_or(false))
+        QMetaObject::invokeMethod(
+            this, [this] { emit foundOlder(); }, Qt::QueuedConnection);
+    rememberAudit();
+}
+
+void SchoolService::rememberAudit()
+{
+    if (!m_school || m_known.empty())
+        return;
+    const auto head = database::sql::auditHead(*m_school);
+    if (!head || *head == m_seen)
+        return;
+    m_seen = *head;
+    m_memory.remember(m_known, *head, m_school->now());
 }
 
 /// Rejects a database whose id differs from the one in which the user logged in, even a copy of it.
@@ -360,14 +385,17 @@ void SchoolService::restore(QObject* owner, const database::Login& session, cons
         database::Outbox(outboxFolder(), m_key.value_or(database::StationKey::make()),
                          database::Outbox::schoolAt(m_address, m_folder))
             .sendAgain();
+        m_memory.forget(m_known);
         m_known.clear();  // the id may change: the backup may be of the school that this one was copied from
         const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
         Opening opening = tryToOpen();
         opening.replaced = replaced.value_or(QString());
         if (!replaced)
             opening.restored = tl::unexpected(replaced.error());
-        else if (opening.status)
+        else if (opening.status) {
             opening.status = database::sql::noteRestored(*m_school, session, backup);
+            rememberAudit();
+        }
         answer(guard, done, opening);
         deliverAll();
     });
@@ -486,6 +514,8 @@ void SchoolService::deliverAll()
     // Entries that have failed come last, the latest failure at the end. Otherwise an entry that always fails, because
     // it exceeds a limit of the server for example, would block all others.
     QStringList files = letters.waiting();
+    if (files.isEmpty())
+        return;
     std::stable_sort(files.begin(), files.end(), [this](const QString& one, const QString& other) {
         return m_hasFailed.value(one) < m_hasFailed.value(other);
     });
@@ -533,6 +563,7 @@ void SchoolService::deliverAll()
             return;
         }
     }
+    rememberAudit();
     if (const int now = static_cast<int>(m_undeliverable.size()); now > before)
         QMetaObject::invokeMethod(
             this, [this, now] { emit waitOn(now); }, Qt::QueuedConnection);

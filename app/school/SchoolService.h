@@ -18,6 +18,7 @@
 #include <QThread>
 #include <QTimer>
 
+#include "app/school/AuditMemory.h"
 #include "app/school/SchoolAccess.h"
 #include "core/base/Result.h"
 #include "core/recording/Recording.h"
@@ -122,6 +123,8 @@ signals:
     void disabled();
     /// Emitted when a request was not allowed: the role of the user may have changed since the login.
     void refused();
+    /// Emitted when an older copy has taken the place of the database, as far as this account knows.
+    void foundOlder();
     /// Emitted when the database of another school has replaced the database of this one. The new one is not opened.
     void otherSchool();
     /// Emitted when more entries of the outbox than before cannot be delivered: the database does not know their user,
@@ -172,6 +175,8 @@ private:
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status openDatabase();
     [[nodiscard]] core::Status expectSameSchool(const QSqlDatabase& db);
+    void compareAudit();
+    void rememberAudit();
     [[nodiscard]] core::Status mayRestore(const database::Login& session);
     [[nodiscard]] Opening tryToOpen();
     [[nodiscard]] QString outboxFolder() const;
@@ -197,7 +202,9 @@ private:
     std::unique_ptr<database::sql::DatabaseContext> m_school;
     std::string m_known;  ///< id of the school that was opened first, see schoolOf(); empty: none yet
     std::optional<database::StationKey> m_key;
-    QSet<QString> m_forOthers;  ///< entries of the outbox for other schools
+    AuditMemory m_memory;
+    database::AuditHead m_seen;  ///< the newest row of the audit that m_memory has
+    QSet<QString> m_forOthers;   ///< entries of the outbox for other schools
     QSet<QString> m_otherSchools;
     QTimer m_patience{this};
     int m_asked = 0;                  ///< pending requests

@@ -38,6 +38,8 @@ AuditRow rowOf(const QSqlQuery& query)
 
 /// Action of the row that is added if the end of the chain does not match its signature.
 const std::string kBroken = "audit.broken";
+/// Action of the row that is added if an older copy took the place of the database.
+const std::string kOlder = "audit.older";
 /// Action of the row with a station's key, before the first row that the station signs. Each chain begins with it.
 const std::string kJoin = "station.join";
 
@@ -257,6 +259,28 @@ core::Result<AuditHead> auditHead(const QSqlDatabase& db)
         !read)
         return tl::unexpected(read.error());
     return head;
+}
+
+core::Result<bool> isOlderThan(const DatabaseContext& school, const AuditHead& seen, const std::string& seenUtc)
+{
+    const std::string doing = "compare the audit";
+    const auto hash = ask(school.db, "SELECT hash FROM audit WHERE seq = ?", doing, {number(seen.seq)});
+    if (!hash)
+        return tl::unexpected(hash.error());
+    if (seen.seq == 0 || hash->toString().toStdString() == seen.hash)
+        return false;
+    const auto restored =
+        ask(school.db, "SELECT 1 FROM audit WHERE action = 'backup.restored' AND at_utc >= ?", doing, {text(seenUtc)});
+    if (!restored)
+        return tl::unexpected(restored.error());
+    if (!restored->isNull())
+        return false;
+    const core::Status noted = inTurn(school, doing, [&] {
+        return note(school, "system", kOlder, "audit", {{"seen", QString::fromStdString(seen.code())}});
+    });
+    if (!noted)
+        return tl::unexpected(noted.error());
+    return true;
 }
 
 core::Result<std::vector<AuditRow>> readAudit(const DatabaseContext& school, const Login& session, int limit,

@@ -77,6 +77,11 @@ using database::AuditRows;
 {
     return auditHead(school.db);
 }
+/// Returns whether an older copy has taken the place of this database: its audit does not have a row that this computer
+/// has seen, and no backup was restored by Cusp since. Notes that in the audit.
+/// @param seenUtc  when the row was seen
+[[nodiscard]] core::Result<bool> isOlderThan(const DatabaseContext& school, const AuditHead& seen,
+                                             const std::string& seenUtc);
 /// Returns the newest of the selected rows, newest first, at most `limit`; if `beforeSeq` is not 0, only rows before
 /// it. Admins.
 [[nodiscard]] core::Result<std::vector<AuditRow>> readAudit(const DatabaseContext& school, const Login& session,

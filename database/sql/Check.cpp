@@ -138,6 +138,17 @@ core::Status checkChain(const QSqlDatabase& db, const std::vector<std::string>& 
             {QT_TRANSLATE_NOOP("Finding", "the audit itself was changed: rows that differ from it may be right all "
                                           "the same"),
              {}});
+    if (auto read = forEach(
+            db, "SELECT seq, at_utc FROM audit WHERE action = 'audit.older' ORDER BY seq", kDoing, {},
+            [&](const QSqlQuery& row) {
+                report.notes.push_back(
+                    {QT_TRANSLATE_NOOP("Finding", "row %1 of the audit (%2): a computer had seen later rows of it. "
+                                                  "If nobody restored a backup without Cusp then, somebody put an "
+                                                  "older copy in the place of the database"),
+                     {textOf(row, 0), textOf(row, 1)}});
+            });
+        !read)
+        return read;
     const auto rows = ask(db, "SELECT COUNT(*) FROM audit", kDoing);
     const auto head = auditHead(db);
     if (!rows || !head)

@@ -118,6 +118,31 @@ private slots:
         waitForMessage("does not match its recording");
     }
 
+    /// Somebody puts a copy from before their exam in the place of the database, which is signed as well as it was.
+    void anOlderCopyIsNoticed()
+    {
+        m_application.reset();
+        const QString copy = m_folder->filePath("copy");
+        beginAs("sam");
+        m_application.reset();
+        QVERIFY(QFile::copy(file(), copy));
+        beginAs("sam");
+        drill(-2.0);
+        grade("");
+        WAIT_FOR_VALUE(attempts(), 1);
+        m_application.reset();
+        for (const char* part : {"", "-wal", "-shm"})
+            QFile::remove(file() + part);
+        QVERIFY(QFile::copy(copy, file()));
+        start();
+        waitForMessage("older than when this computer last used it");
+        QCOMPARE(count("audit WHERE action = 'audit.older'"), 1);
+        m_application.reset();
+        start();
+        logIn("sam");
+        QCOMPARE(count("audit WHERE action = 'audit.older'"), 1);
+    }
+
     /// On a slow computer the tooth is made in the background while people log in and out.
     void whoLogsInBeforeTheFirstToothIsMadeGetsIt()
     {

@@ -42,6 +42,7 @@ constexpr std::array kActions{
     std::pair{"preset.add", QT_TRANSLATE_NOOP("Admin", "kept a hardness preset")},
     std::pair{"setting.change", QT_TRANSLATE_NOOP("Admin", "changed a setting")},
     std::pair{"audit.broken", QT_TRANSLATE_NOOP("Admin", "found the audit changed")},
+    std::pair{"audit.older", QT_TRANSLATE_NOOP("Admin", "found an older copy in the place of the database")},
     std::pair{"station.join", QT_TRANSLATE_NOOP("Admin", "a computer wrote here for the first time")},
     std::pair{"backup.made", QT_TRANSLATE_NOOP("Admin", "made a backup")},
     std::pair{"backup.restored", QT_TRANSLATE_NOOP("Admin", "a backup was restored")},
