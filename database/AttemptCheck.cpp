@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/AttemptCheck.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
+#include <QDateTime>
+
+#include "core/recording/ExamNote.h"
 #include "core/recording/Recording.h"
 
 namespace database {
@@ -13,6 +19,7 @@ namespace {
 
 constexpr double kMnPerN = 1000.0;
 constexpr double kMsPerS = 1000.0;
+constexpr double kClockSlackS = 120.0;  ///< by which the clock of a computer may be set during an exam
 
 /// Returns whether a recording begins with the tooth of its lesson, uncut and unchanged. Its text of the lesson does
 /// not contain the scan, so the tooth of a scan is compared only with the lesson that the school stores.
@@ -22,6 +29,25 @@ bool isOfItsTooth(const core::recording::Recording& recording, const lessons::Le
     if (assigned && assigned->hash == lesson.hash)
         return lessons::isToothOf(*assigned, *recording.anatomy());
     return std::holds_alternative<lessons::Scan>(lesson.tooth) || lessons::isToothOf(lesson, *recording.anatomy());
+}
+
+/// Returns whether the recording of an exam names a start of the person since which the work can have been done.
+bool isBegun(const AttemptRecord& attempt, const core::recording::Recording& recording, const lessons::Conduct& conduct,
+             const std::vector<ExamStart>& starts)
+{
+    std::set<std::uint64_t> named;
+    recording.forEach([&](const auto& event) {
+        if (event.kind == std::decay_t<decltype(event)>::Kind::Note && core::recording::isExamNote(event.value))
+            named.insert(event.value);
+    });
+    const QDateTime finished = QDateTime::fromString(QString::fromStdString(attempt.finishedUtc), Qt::ISODate);
+    const auto& process = conduct.process;
+    const double workedS = process.firstCutS ? process.totalS - *process.firstCutS : 0.0;
+    return std::any_of(starts.begin(), starts.end(), [&](const ExamStart& start) {
+        const QDateTime begun = QDateTime::fromString(QString::fromStdString(start.begunUtc), Qt::ISODate);
+        return named.contains(core::recording::examNote(start.uid)) &&
+               static_cast<double>(begun.secsTo(finished)) + kClockSlackS >= workedS;
+    });
 }
 
 }  // namespace
@@ -49,7 +75,7 @@ void setProven(AttemptRecord& attempt, const lessons::Assignment& assignment, co
 }
 
 Doubt checkAttempt(const AttemptRecord& attempt, const QByteArray& recording,
-                   const std::optional<lessons::Lesson>& assigned)
+                   const std::optional<lessons::Lesson>& assigned, const std::optional<std::vector<ExamStart>>& starts)
 {
     const auto read = core::recording::Recording::fromBytes(
         std::string_view(recording.constData(), static_cast<std::size_t>(recording.size())));
@@ -70,7 +96,10 @@ Doubt checkAttempt(const AttemptRecord& attempt, const QByteArray& recording,
         return Doubt::Recording;
     AttemptRecord again = attempt;
     setProven(again, *assignment, marked->mark.sheet, marked->conduct, marked->outcome.stateHash);
-    return again == attempt ? Doubt::None : Doubt::Score;
+    if (again != attempt)
+        return Doubt::Score;
+    const bool isExam = assignment->lesson && assignment->lesson->exam;
+    return !isExam || !starts || isBegun(attempt, *read, marked->conduct, *starts) ? Doubt::None : Doubt::Start;
 }
 
 }  // namespace database

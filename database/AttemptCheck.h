@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include <QByteArray>
 
@@ -22,7 +23,10 @@ void setProven(AttemptRecord& attempt, const lessons::Assignment& assignment, co
 /// second per minute of the attempt; any thread.
 /// @param assigned  the version of the lesson that the school stores; empty: not known. The tooth of a scan can be
 ///                  compared only with it
+/// @param starts    the exams at this lesson that the person has begun, of which the recording of an exam must name one
+///                  that is long enough ago; empty: not known, and not compared
 [[nodiscard]] Doubt checkAttempt(const AttemptRecord& attempt, const QByteArray& recording,
-                                 const std::optional<lessons::Lesson>& assigned = {});
+                                 const std::optional<lessons::Lesson>& assigned = {},
+                                 const std::optional<std::vector<ExamStart>>& starts = {});
 
 }  // namespace database

@@ -9,7 +9,8 @@ namespace database {
 namespace {
 
 constexpr std::array kDoubts{std::pair(Doubt::None, ""), std::pair(Doubt::Version, "version"),
-                             std::pair(Doubt::Recording, "recording"), std::pair(Doubt::Score, "score")};
+                             std::pair(Doubt::Recording, "recording"), std::pair(Doubt::Score, "score"),
+                             std::pair(Doubt::Start, "start")};
 
 }  // namespace
 

@@ -13,6 +13,7 @@ enum class Doubt : std::uint8_t {
     Version,    ///< it was made with another version of the lesson than those that were assigned: it is practice
     Recording,  ///< it has no recording, or one that is damaged or of another lesson, tooth or attempt
     Score,      ///< its recording, marked again, gives another result
+    Start,      ///< the school has no start of the exam that fits the recording
 };
 
 /// Returns the name by which the database stores a doubt; empty for Doubt::None.

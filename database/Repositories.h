@@ -48,6 +48,9 @@ public:
     /// Returns the exams that a person has begun and that have no score, newest first.
     [[nodiscard]] virtual core::Result<std::vector<ExamStart>> examsWithoutScore(const Login& who,
                                                                                  PersonId person) const = 0;
+    /// Returns all exams at a lesson that a person has begun, with a score or without.
+    [[nodiscard]] virtual core::Result<std::vector<ExamStart>> examStarts(const Login& who, PersonId person,
+                                                                          const std::string& lessonId) const = 0;
     /// Returns the newest attempts that no teacher or admin has checked yet (database/AttemptCheck.h), newest first.
     /// Teachers: of their classes. Admins.
     [[nodiscard]] virtual core::Result<std::vector<AttemptId>> toCheck(const Login& who, int limit) const = 0;

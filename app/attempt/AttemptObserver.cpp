@@ -8,6 +8,7 @@
 
 #include "core/grading/Exercise.h"
 #include "core/history/MomentId.h"
+#include "core/recording/ExamNote.h"
 #include "database/Passwords.h"
 #include "ui/tooth/ToothView.h"
 
@@ -92,6 +93,8 @@ void AttemptObserver::watchExam(const core::session::Findings& findings)
     const database::ExamStart start{
         database::uidOf("exam " + m_context.school.user.uid() + ' ' + journal.filename().string()),
         m_context.attempt.assignment().lesson->id, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
+    // The school compares the recording with the start.
+    m_context.window.send(core::session::AddNote{core::recording::examNote(start.uid)});
     if (m_context.attempt.exam() == CurrentAttempt::Exam::Counted) {
         m_uploader->send(m_context.school.user, start);
         return;

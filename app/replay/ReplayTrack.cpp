@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include "core/recording/ExamNote.h"
 #include "lessons/Assignment.h"
 
 namespace app {
@@ -30,7 +31,8 @@ std::uint64_t patchAfter(std::uint64_t tick)
 /// Returns whether a note is only for the program, and not shown on the time line.
 bool isSilent(std::uint64_t note)
 {
-    return note == core::servo::kRestNote || note == core::servo::kWorkNote || core::session::sightOf(note);
+    return note == core::servo::kRestNote || note == core::servo::kWorkNote || core::recording::isExamNote(note) ||
+           core::session::sightOf(note);
 }
 
 /// The events in words of a time line. A bur that is taken again and aids that stay the same are no news.

@@ -29,6 +29,7 @@ struct AttemptChecker::Waiting
     database::AttemptRecord attempt;
     std::optional<QByteArray> recording;  ///< empty: the database names one that it cannot read
     QByteArray pack;                      ///< of its lesson's version; empty: not assigned
+    std::vector<database::ExamStart> starts;
 };
 
 AttemptChecker::AttemptChecker(const SchoolSession& school, std::chrono::milliseconds interval) : m_school(school)
@@ -59,12 +60,16 @@ void AttemptChecker::search()
             auto attempt = school.attempts.open(who, *next);
             if (!attempt)
                 return tl::unexpected(attempt.error());
-            Waiting waiting{std::move(*attempt), QByteArray(), {}};
+            Waiting waiting{std::move(*attempt), QByteArray(), {}, {}};
             if (!waiting.attempt.recordingHash.empty()) {
                 auto recording = school.attempts.recording(who, *next);
                 waiting.recording = recording ? std::optional(std::move(*recording)) : std::nullopt;
             }
             waiting.pack = school.lessons.version(who, waiting.attempt.lessonHash).value_or(QByteArray());
+            auto starts = school.attempts.examStarts(who, waiting.attempt.person, waiting.attempt.lessonId);
+            if (!starts)
+                return tl::unexpected(starts.error());
+            waiting.starts = std::move(*starts);
             return std::optional(std::move(waiting));
         },
         [this](const core::Result<std::optional<Waiting>>& found) {
@@ -92,7 +97,7 @@ void AttemptChecker::check(const Waiting& waiting)
                 static_cast<void>(lessons::cacheVersion(hash, waiting.pack));
             const auto assigned = lessons::cachedVersion(hash);
             return database::checkAttempt(waiting.attempt, *waiting.recording,
-                                          assigned ? std::optional(*assigned) : std::nullopt);
+                                          assigned ? std::optional(*assigned) : std::nullopt, waiting.starts);
         },
         [this, id, took](Doubt found) {
             QTimer::singleShot(took.elapsed(), this, [this, id, found] { note(id, found); });

@@ -112,6 +112,14 @@ core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Pr
             });
         !read)
         return read;
+    const auto inDoubt = ask(
+        db, "SELECT COUNT(*) FROM attempts WHERE doubt <> '' AND doubt <> 'version' AND given_tenths IS NULL", kDoing);
+    if (!inDoubt)
+        return tl::unexpected(inDoubt.error());
+    if (inDoubt->toInt() > 0)
+        report.notes.push_back({QT_TRANSLATE_NOOP("Finding", "%1 attempts do not match their recordings and do not "
+                                                             "count; the pages of the classes mark them"),
+                                {inDoubt->toString().toStdString()}});
     return forEach(db,
                    "SELECT u.object, u.seq FROM audit u WHERE u.action = 'attempt.add' AND NOT EXISTS (SELECT 1 FROM "
                    "attempts a WHERE a.uid = substr(u.object, 9) AND a.person_id IS NOT NULL)",

@@ -56,6 +56,11 @@ public:
     {
         return sql::examsWithoutScore(m_school, who, person);
     }
+    core::Result<std::vector<ExamStart>> examStarts(const Login& who, PersonId person,
+                                                    const std::string& lessonId) const override
+    {
+        return sql::examStarts(m_school, who, person, lessonId);
+    }
     core::Result<std::vector<AttemptId>> toCheck(const Login& who, int limit) const override
     {
         return attemptsToCheck(m_school, who, limit);

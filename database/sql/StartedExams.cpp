@@ -99,6 +99,22 @@ core::Result<std::vector<ExamStart>> examsWithoutScore(const DatabaseContext& sc
     return starts;
 }
 
+core::Result<std::vector<ExamStart>> examStarts(const DatabaseContext& school, const Login& session, PersonId person,
+                                                const std::string& lessonId)
+{
+    if (auto who = authorizeFor(school, session, Operation::ReadHistory, person); !who)
+        return tl::unexpected(who.error());
+    std::vector<ExamStart> starts;
+    if (auto read = forEach(school.db, "SELECT uid, begun_utc FROM exam_starts WHERE person_id = ? AND lesson_id = ?",
+                            kList, {number(person.value), text(lessonId)},
+                            [&](const QSqlQuery& row) {
+                                starts.push_back({textOf(row, 0), lessonId, textOf(row, 1)});
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    return starts;
+}
+
 core::Result<std::map<std::string, int>> countWithoutScore(const DatabaseContext& school, PersonId person)
 {
     const auto found = withoutScore(school, QStringLiteral("s.person_id = ?"), {number(person.value)});

@@ -19,6 +19,9 @@ namespace database::sql {
 [[nodiscard]] core::Result<std::vector<ExamStart>> examsWithoutScore(const DatabaseContext& school,
                                                                      const Login& session, PersonId person);
 
+/// Returns all exams at a lesson that a person has begun, with a score or without.
+[[nodiscard]] core::Result<std::vector<ExamStart>> examStarts(const DatabaseContext& school, const Login& session,
+                                                              PersonId person, const std::string& lessonId);
 /// Returns the number of such exams of a person, by lesson. Does not check permissions.
 [[nodiscard]] core::Result<std::map<std::string, int>> countWithoutScore(const DatabaseContext& school,
                                                                          PersonId person);

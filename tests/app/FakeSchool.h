@@ -82,6 +82,11 @@ struct FakeAttempts final : database::AttemptRepository, Fake
     {
         return orRefusal(exams);
     }
+    core::Result<std::vector<database::ExamStart>> examStarts(const database::Login&, database::PersonId,
+                                                              const std::string&) const override
+    {
+        return orRefusal(exams);
+    }
     core::Result<std::vector<database::AttemptId>> toCheck(const database::Login&, int) const override
     {
         return orRefusal(std::vector<database::AttemptId>());

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/recording/ExamNote.h"
 #include "core/recording/Recording.h"
 #include "database/AttemptCheck.h"
 #include "database/sql/Copy.h"
@@ -55,12 +56,14 @@ struct GradedWork
 };
 
 /// Returns an attempt at the exam, with the answers of which `right` are right.
-GradedWork workAt(const lessons::Lesson& lesson, std::size_t right = core::grading::kPads, std::uint64_t drawn = 7)
+GradedWork workAt(const lessons::Lesson& lesson, std::size_t right = core::grading::kPads, std::uint64_t drawn = 7,
+                  std::uint64_t note = core::servo::kWorkNote)
 {
     using namespace core::grading;
     const lessons::Assignment assignment = lessons::assign(lesson, drawn).value().assignment;
     const auto& pads = std::get<PadsToName>(*assignment.exercise);
     core::recording::Recording recording({}, assignment.anatomy, lesson.json);
+    recording.append({core::servo::ServoEvent::Kind::Note, 0, glm::vec3(0.0F), note});
     for (std::size_t pad = 0; pad < kPads; ++pad)
         recording.append({core::servo::ServoEvent::Kind::Note, 0, glm::vec3(0.0F),
                           answerNote(pad, pads.madeOf[pad < right ? pad : (pad + 1) % kPads])});
@@ -369,6 +372,33 @@ private slots:
         easy.lessonId = decay.id;
         easy.lessonHash = decay.hash;
         QVERIFY(checkAttempt(easy, QByteArray::fromStdString(done.toBytes())) == Doubt::Recording);
+    }
+
+    /// A recording that was made without the school, or in less time than it says, is no exam.
+    void anExamHasAStart()
+    {
+        const lessons::Lesson exam = examOf(3);
+        const ExamStart own{"0123456789ab" + std::string(20, 'c'), kExam, "2026-11-20T10:00:00Z"};
+        const GradedWork bare = workAt(exam);
+        const GradedWork begun = workAt(exam, core::grading::kPads, 7, core::recording::examNote(own.uid));
+        const auto check = [&](const GradedWork& work, const std::vector<ExamStart>& starts) {
+            return checkAttempt(work.attempt, work.recording, {}, starts);
+        };
+        QVERIFY(check(begun, {own}) == Doubt::None);
+        QVERIFY(check(bare, {own}) == Doubt::Start);
+        QVERIFY(check(begun, {}) == Doubt::Start);
+        ExamStart other = own;
+        other.uid.front() = '1';
+        QVERIFY(check(begun, {other}) == Doubt::Start);
+        QVERIFY(check(begun, {other, own}) == Doubt::None);
+        // It ended long before it began.
+        ExamStart late = own;
+        late.begunUtc = "2026-11-20T10:30:00Z";
+        QVERIFY(check(begun, {late}) == Doubt::Start);
+        // Starts are not known at the delivery, and practice has none.
+        QVERIFY(checkAttempt(bare.attempt, bare.recording) == Doubt::None);
+        const lessons::Lesson practice = *lessons::readLesson(":/lessons/0-orientation-3-layers.lesson.json").lesson;
+        QVERIFY(check(workAt(practice), {}) == Doubt::None);
     }
 
     void practiceWithoutALessonIsChecked()

@@ -187,6 +187,8 @@ public:
          [this](auto& me) { return seeFeedback(s, me, SchoolRig::attempt("class1-36", 500)); }},
         {Operation::ReadHistory, "examsWithoutScore",
          [this](auto& me, auto t) { return examsWithoutScore(s, me, personOf(me, t)); }},
+        {Operation::ReadHistory, "examStarts",
+         [this](auto& me, auto t) { return examStarts(s, me, personOf(me, t), "exam-36"); }},
         {Operation::ReadHistory, "history", [this](auto& me, auto t) { return history(s, me, personOf(me, t), {}); }},
         {Operation::ReadHistory, "standingsOf",
          [this](auto& me, auto t) { return standingsOf(s, me, personOf(me, t)); }},

@@ -39,6 +39,9 @@ QString doubtWords(database::Doubt doubt)
     case database::Doubt::Score:
         return PersonWords::tr("The recording gives another result than the one that was reported. The score does not "
                                "count until a teacher gives one.");
+    case database::Doubt::Start:
+        return PersonWords::tr("This exam was not begun as its recording says: its start is missing here, or less time "
+                               "has passed since than was worked. The score does not count until a teacher gives one.");
     case database::Doubt::None:
         break;
     }
