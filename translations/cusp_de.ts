@@ -4,6 +4,18 @@
 <context>
     <name>Admin</name>
     <message>
+        <source>an attempt was compared with the assigned version</source>
+        <translation>ein Versuch wurde mit der aufgegebenen Fassung verglichen</translation>
+    </message>
+    <message>
+        <source>marked an attempt again from its recording</source>
+        <translation>hat einen Versuch aus seiner Aufzeichnung noch einmal bewertet</translation>
+    </message>
+    <message>
+        <source>found an older copy in the place of the database</source>
+        <translation>fand eine ältere Kopie an der Stelle der Datenbank</translation>
+    </message>
+    <message>
         <source>logged in</source>
         <translation>hat sich angemeldet</translation>
     </message>
@@ -1051,6 +1063,22 @@
 <context>
     <name>Fault</name>
     <message>
+        <source>&quot;%1&quot; has changed since the lesson was read; open the page again.</source>
+        <translation>„%1“ hat sich geändert, seit die Lektion gelesen wurde; öffnen Sie die Seite noch einmal.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read, or has more than %2 MB, which a lesson may take along; use a coarser scan.</source>
+        <translation>„%1“ kann nicht gelesen werden oder hat mehr als die %2 MB, die eine Lektion mitnehmen darf; nehmen Sie einen gröberen Scan.</translation>
+    </message>
+    <message>
+        <source>The version that was assigned is not on this computer yet. Open this page again when the database can be reached.</source>
+        <translation>Die aufgegebene Fassung ist noch nicht auf diesem Computer. Öffnen Sie diese Seite noch einmal, wenn die Datenbank erreichbar ist.</translation>
+    </message>
+    <message>
+        <source>The version that was assigned cannot be read by this version of Cusp. Ask who keeps Cusp to update it.</source>
+        <translation>Dieses Cusp kann die aufgegebene Fassung nicht lesen. Bitten Sie, wer Cusp hier betreut, es zu aktualisieren.</translation>
+    </message>
+    <message>
         <source>touch.points[%1]: there is no tooth at x = %2, y = %3 mm</source>
         <translation>touch.points[%1]: Bei x = %2, y = %3 mm ist kein Zahn</translation>
     </message>
@@ -2084,6 +2112,22 @@
 </context>
 <context>
     <name>Finding</name>
+    <message>
+        <source>version %1 of the lesson %2 was changed or is damaged; assign the lesson again</source>
+        <translation>Fassung %1 der Lektion %2 wurde geändert oder ist beschädigt; geben Sie die Lektion noch einmal auf</translation>
+    </message>
+    <message>
+        <source>row %1 of the audit was not written by Cusp: the role of person:%2 did not permit %3 on %4 then</source>
+        <translation>Zeile %1 des Protokolls hat nicht Cusp geschrieben: Die damalige Rolle von person:%2 erlaubte %3 an %4 nicht</translation>
+    </message>
+    <message>
+        <source>row %1 of the audit (%2): a computer had seen later rows of it. If nobody restored a backup without Cusp then, somebody put an older copy in the place of the database</source>
+        <translation>Zeile %1 des Protokolls (%2): Ein Computer hatte spätere Zeilen davon gesehen. Wenn damals niemand ohne Cusp eine Sicherung wiederhergestellt hat, hat jemand eine ältere Kopie an die Stelle der Datenbank gelegt</translation>
+    </message>
+    <message>
+        <source>%1 attempts do not match their recordings and do not count; the pages of the classes mark them</source>
+        <translation>%1 Versuche passen nicht zu ihren Aufzeichnungen und zählen nicht; die Seiten der Klassen zeigen sie an</translation>
+    </message>
     <message>
         <source>&quot;%1&quot; is no audit code; a report shows one such as 412-9f3ac07be1d2</source>
         <translation>„%1“ ist kein Prüfcode; ein Bericht zeigt einen wie 412-9f3ac07be1d2</translation>
@@ -3212,6 +3256,14 @@
 </context>
 <context>
     <name>app::SchoolController</name>
+    <message>
+        <source>An attempt does not match its recording, so its score does not count. It is marked in the student&apos;s attempts and in the table of the class.</source>
+        <translation>Ein Versuch passt nicht zu seiner Aufzeichnung, darum zählt sein Ergebnis nicht. Er ist in den Versuchen der Person und in der Tabelle der Klasse gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>The database is older than when this computer last used it: attempts and changes may be missing. If nobody restored a backup, somebody put an older copy in its place. The audit has a row about it.</source>
+        <translation>Die Datenbank ist älter als bei der letzten Benutzung an diesem Computer: Versuche und Änderungen können fehlen. Wenn niemand eine Sicherung wiederhergestellt hat, hat jemand eine ältere Kopie an ihre Stelle gelegt. Im Protokoll steht eine Zeile darüber.</translation>
+    </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
         <translation>Die heutige Sicherung wurde nicht gemacht. %1</translation>
@@ -5335,6 +5387,33 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
 <context>
     <name>ui::people::AssignPage</name>
     <message>
+        <source>Assign version %1 to new attempts</source>
+        <translation>Fassung %1 für neue Versuche aufgeben</translation>
+    </message>
+    <message>
+        <source>Assign the changed lesson to new attempts</source>
+        <translation>Geänderte Lektion für neue Versuche aufgeben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Assign %n changed lesson(s) to new attempts</source>
+        <translation>
+            <numerusform>%n geänderte Lektion für neue Versuche aufgeben</numerusform>
+            <numerusform>%n geänderte Lektionen für neue Versuche aufgeben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Attempts that have been begun, and scores so far, stay with the version they were made with.</source>
+        <translation>Begonnene Versuche und bisherige Ergebnisse bleiben bei der Fassung, mit der sie gemacht wurden.</translation>
+    </message>
+    <message>
+        <source>%1 (a later version is available)</source>
+        <translation>%1 (es gibt eine spätere Fassung)</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <translation>%1, Fassung %2</translation>
+    </message>
+    <message>
         <source>given</source>
         <translation>aufgegeben</translation>
     </message>
@@ -5475,14 +5554,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
             <numerusform>%n Personen, die noch nicht bestanden haben, haben keinen Versuch mehr: Frühere zählen mit.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n lesson(s) of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</source>
-        <extracomment>%1: titles; %2: files</extracomment>
-        <translation>
-            <numerusform>%n eigene Lektion: %1. Studierende finden sie nur an Computern, die ihre Datei auch haben: Legen Sie dort eine Kopie von %2 in den Ordner, den „Eigene Lektionen“ auf der Seite der Lektionen öffnet.</numerusform>
-            <numerusform>%n eigene Lektionen: %1. Studierende finden sie nur an Computern, die ihre Dateien auch haben: Legen Sie dort eine Kopie von %2 in den Ordner, den „Eigene Lektionen“ auf der Seite der Lektionen öffnet.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No lesson fits. Search for another word.</source>
         <translation>Keine Lektion passt. Suchen Sie ein anderes Wort.</translation>
@@ -5616,6 +5687,13 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
 </context>
 <context>
     <name>ui::people::ClassModel</name>
+    <message numerus="yes">
+        <source>%1, of which %n do not match their recordings and do not count</source>
+        <translation>
+            <numerusform>%1, davon passt %n nicht zu seiner Aufzeichnung und zählt nicht</numerusform>
+            <numerusform>%1, davon passen %n nicht zu ihren Aufzeichnungen und zählen nicht</numerusform>
+        </translation>
+    </message>
     <message>
         <source>stuck</source>
         <extracomment>Of a student</extracomment>
@@ -5882,8 +5960,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Zeigt, wer bei einer nicht bestandenen Lektion keine Versuche mehr hat. Unter „Lektionen aufgeben“ lassen sich weitere erlauben.</translation>
     </message>
     <message>
-        <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
-        <translation>Bestes Ergebnis jeder Person; ein Haken: bestanden; ▲: überfällig oder keine Versuche mehr. Eine Überschrift sortiert, noch einmal andersherum, dann nach Namen. Eine Zelle öffnet die Versuche.</translation>
+        <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left; ⚠: does not match its recording. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>Bestes Ergebnis jeder Person; ein Haken: bestanden; ▲: überfällig oder keine Versuche mehr; ⚠: passt nicht zur Aufzeichnung. Eine Überschrift sortiert, noch einmal andersherum, dann nach Namen. Eine Zelle öffnet die Versuche.</translation>
     </message>
     <message>
         <source>Clear the search</source>
@@ -6101,6 +6179,14 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
+    <message>
+        <source>practice</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>in doubt</source>
+        <translation>fraglich</translation>
+    </message>
     <message>
         <source>passed</source>
         <translation>bestanden</translation>
@@ -6687,6 +6773,22 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
 </context>
 <context>
     <name>ui::text::PeopleTexts</name>
+    <message>
+        <source>This attempt was made with another version of the lesson than the one that was assigned. It is practice and does not count.</source>
+        <translation>Dieser Versuch wurde mit einer anderen Fassung der Lektion gemacht als der aufgegebenen. Er ist eine Übung und zählt nicht.</translation>
+    </message>
+    <message>
+        <source>The recording is missing, damaged or not of this attempt. The score does not count until a teacher gives one.</source>
+        <translation>Die Aufzeichnung fehlt, ist beschädigt oder nicht von diesem Versuch. Das Ergebnis zählt erst, wenn eine Lehrkraft eines gibt.</translation>
+    </message>
+    <message>
+        <source>The recording gives another result than the one that was reported. The score does not count until a teacher gives one.</source>
+        <translation>Die Aufzeichnung ergibt etwas anderes, als gemeldet wurde. Das Ergebnis zählt erst, wenn eine Lehrkraft eines gibt.</translation>
+    </message>
+    <message>
+        <source>This exam was not begun as its recording says: its start is missing here, or less time has passed since than was worked. The score does not count until a teacher gives one.</source>
+        <translation>Diese Prüfung wurde nicht so begonnen, wie ihre Aufzeichnung sagt: Ihr Beginn fehlt hier, oder seitdem ist weniger Zeit vergangen, als gearbeitet wurde. Das Ergebnis zählt erst, wenn eine Lehrkraft eines gibt.</translation>
+    </message>
     <message>
         <source>Free practice</source>
         <translation>Freies Üben</translation>
@@ -7446,8 +7548,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Beste Ergebnisse</translation>
     </message>
     <message>
-        <source>✓: passed; ▲: overdue, or no attempts left; ▲ behind a name: needs the teacher</source>
-        <translation>✓: bestanden; ▲: überfällig oder keine Versuche mehr; ▲ hinter einem Namen: braucht die Lehrkraft</translation>
+        <source>✓: passed; ▲: overdue, or no attempts left; ⚠: does not match its recording; ▲ behind a name: needs the teacher</source>
+        <translation>✓: bestanden; ▲: überfällig oder keine Versuche mehr; ⚠: passt nicht zur Aufzeichnung; ▲ hinter einem Namen: braucht die Lehrkraft</translation>
     </message>
 </context>
 <context>
@@ -10780,6 +10882,10 @@ ungesichert</translation>
 </context>
 <context>
     <name>ui::scoring::ScorePage</name>
+    <message>
+        <source>Does not count</source>
+        <translation>Zählt nicht</translation>
+    </message>
     <message>
         <source>You expected %1 points, which is exactly right.</source>
         <translation>Sie haben %1 Punkte erwartet, das ist genau richtig.</translation>

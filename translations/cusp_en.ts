@@ -208,6 +208,13 @@
 <context>
     <name>ui::people::AssignPage</name>
     <message numerus="yes">
+        <source>Assign %n changed lesson(s) to new attempts</source>
+        <translation>
+            <numerusform>Assign %n changed lesson to new attempts</numerusform>
+            <numerusform>Assign %n changed lessons to new attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n lesson(s) assigned.</source>
         <translation>
             <numerusform>%n lesson assigned.</numerusform>
@@ -242,14 +249,6 @@
             <numerusform>%n students who have not passed have no attempts left: earlier ones count.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n lesson(s) of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</source>
-        <extracomment>%1: titles; %2: files</extracomment>
-        <translation>
-            <numerusform>A lesson of your own: %1. Students find it only at computers that have its file, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</numerusform>
-            <numerusform>%n lessons of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>ui::people::ClassCharts</name>
@@ -270,6 +269,13 @@
 </context>
 <context>
     <name>ui::people::ClassModel</name>
+    <message numerus="yes">
+        <source>%1, of which %n do not match their recordings and do not count</source>
+        <translation>
+            <numerusform>%1, of which %n does not match its recording and does not count</numerusform>
+            <numerusform>%1, of which %n do not match their recordings and do not count</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
         <translation>

@@ -4,6 +4,18 @@
 <context>
     <name>Admin</name>
     <message>
+        <source>an attempt was compared with the assigned version</source>
+        <translation>se comparó un intento con la versión asignada</translation>
+    </message>
+    <message>
+        <source>marked an attempt again from its recording</source>
+        <translation>volvió a calificar un intento a partir de su grabación</translation>
+    </message>
+    <message>
+        <source>found an older copy in the place of the database</source>
+        <translation>encontró una copia más antigua en lugar de la base de datos</translation>
+    </message>
+    <message>
         <source>logged in</source>
         <translation>inició sesión</translation>
     </message>
@@ -1051,6 +1063,22 @@
 <context>
     <name>Fault</name>
     <message>
+        <source>&quot;%1&quot; has changed since the lesson was read; open the page again.</source>
+        <translation>«%1» ha cambiado desde que se leyó la lección; vuelva a abrir la página.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read, or has more than %2 MB, which a lesson may take along; use a coarser scan.</source>
+        <translation>«%1» no se puede leer o supera los %2 MB que una lección puede llevar consigo; use un escaneo menos fino.</translation>
+    </message>
+    <message>
+        <source>The version that was assigned is not on this computer yet. Open this page again when the database can be reached.</source>
+        <translation>La versión asignada todavía no está en este equipo. Vuelva a abrir esta página cuando se pueda acceder a la base de datos.</translation>
+    </message>
+    <message>
+        <source>The version that was assigned cannot be read by this version of Cusp. Ask who keeps Cusp to update it.</source>
+        <translation>Esta versión de Cusp no puede leer la versión asignada. Pida a quien mantiene Cusp que lo actualice.</translation>
+    </message>
+    <message>
         <source>touch.points[%1]: there is no tooth at x = %2, y = %3 mm</source>
         <translation>touch.points[%1]: en x = %2, y = %3 mm no hay diente</translation>
     </message>
@@ -2084,6 +2112,22 @@
 </context>
 <context>
     <name>Finding</name>
+    <message>
+        <source>version %1 of the lesson %2 was changed or is damaged; assign the lesson again</source>
+        <translation>la versión %1 de la lección %2 se cambió o está dañada; vuelva a asignar la lección</translation>
+    </message>
+    <message>
+        <source>row %1 of the audit was not written by Cusp: the role of person:%2 did not permit %3 on %4 then</source>
+        <translation>la fila %1 del registro no la escribió Cusp: el rol que person:%2 tenía entonces no permitía %3 en %4</translation>
+    </message>
+    <message>
+        <source>row %1 of the audit (%2): a computer had seen later rows of it. If nobody restored a backup without Cusp then, somebody put an older copy in the place of the database</source>
+        <translation>fila %1 del registro (%2): un equipo había visto filas posteriores. Si entonces nadie restauró una copia de seguridad sin Cusp, alguien puso una copia más antigua en lugar de la base de datos</translation>
+    </message>
+    <message>
+        <source>%1 attempts do not match their recordings and do not count; the pages of the classes mark them</source>
+        <translation>%1 intentos no coinciden con sus grabaciones y no cuentan; las páginas de las clases los señalan</translation>
+    </message>
     <message>
         <source>&quot;%1&quot; is no audit code; a report shows one such as 412-9f3ac07be1d2</source>
         <translation>«%1» no es un código de auditoría; un informe muestra uno como 412-9f3ac07be1d2</translation>
@@ -3212,6 +3256,14 @@
 </context>
 <context>
     <name>app::SchoolController</name>
+    <message>
+        <source>An attempt does not match its recording, so its score does not count. It is marked in the student&apos;s attempts and in the table of the class.</source>
+        <translation>Un intento no coincide con su grabación, por lo que su puntuación no cuenta. Está señalado en los intentos del estudiante y en la tabla de la clase.</translation>
+    </message>
+    <message>
+        <source>The database is older than when this computer last used it: attempts and changes may be missing. If nobody restored a backup, somebody put an older copy in its place. The audit has a row about it.</source>
+        <translation>La base de datos es más antigua que cuando este equipo la usó por última vez: pueden faltar intentos y cambios. Si nadie restauró una copia de seguridad, alguien puso una copia más antigua en su lugar. El registro tiene una fila al respecto.</translation>
+    </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
         <translation>No se hizo la copia de hoy. %1</translation>
@@ -5335,6 +5387,33 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
 <context>
     <name>ui::people::AssignPage</name>
     <message>
+        <source>Assign version %1 to new attempts</source>
+        <translation>Asignar la versión %1 a los intentos nuevos</translation>
+    </message>
+    <message>
+        <source>Assign the changed lesson to new attempts</source>
+        <translation>Asignar la lección cambiada a los intentos nuevos</translation>
+    </message>
+    <message numerus="yes">
+        <source>Assign %n changed lesson(s) to new attempts</source>
+        <translation>
+            <numerusform>Asignar %n lección cambiada a los intentos nuevos</numerusform>
+            <numerusform>Asignar %n lecciones cambiadas a los intentos nuevos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Attempts that have been begun, and scores so far, stay with the version they were made with.</source>
+        <translation>Los intentos empezados y las puntuaciones hasta ahora quedan con la versión con la que se hicieron.</translation>
+    </message>
+    <message>
+        <source>%1 (a later version is available)</source>
+        <translation>%1 (hay una versión posterior)</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <translation>%1, versión %2</translation>
+    </message>
+    <message>
         <source>given</source>
         <translation>asignada</translation>
     </message>
@@ -5475,14 +5554,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
             <numerusform>%n estudiantes que no han aprobado no tienen más intentos: los anteriores cuentan.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n lesson(s) of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</source>
-        <extracomment>%1: titles; %2: files</extracomment>
-        <translation>
-            <numerusform>%n lección propia: %1. Los estudiantes la encuentran solo en los ordenadores que también tienen su archivo: ponga allí una copia de %2 en la carpeta que abre «Sus propias lecciones» en la página de lecciones.</numerusform>
-            <numerusform>%n lecciones propias: %1. Los estudiantes las encuentran solo en los ordenadores que también tienen sus archivos: ponga allí una copia de %2 en la carpeta que abre «Sus propias lecciones» en la página de lecciones.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No lesson fits. Search for another word.</source>
         <translation>Ninguna lección coincide. Busque otra palabra.</translation>
@@ -5616,6 +5687,13 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
 </context>
 <context>
     <name>ui::people::ClassModel</name>
+    <message numerus="yes">
+        <source>%1, of which %n do not match their recordings and do not count</source>
+        <translation>
+            <numerusform>%1, de los que %n no coincide con su grabación y no cuenta</numerusform>
+            <numerusform>%1, de los que %n no coinciden con sus grabaciones y no cuentan</numerusform>
+        </translation>
+    </message>
     <message>
         <source>stuck</source>
         <extracomment>Of a student</extracomment>
@@ -5882,8 +5960,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Muestra quién no tiene más intentos en una lección no aprobada. En «Asignar lecciones» se pueden permitir más.</translation>
     </message>
     <message>
-        <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
-        <translation>Mejor puntuación de cada estudiante; una marca: aprobado; ▲: plazo vencido o sin más intentos. Un encabezado ordena, otra vez al revés, y luego por nombre. Una celda abre los intentos.</translation>
+        <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left; ⚠: does not match its recording. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>Mejor puntuación de cada estudiante; una marca: aprobado; ▲: plazo vencido o sin más intentos; ⚠: no coincide con su grabación. Un encabezado ordena, otra vez al revés, y luego por nombre. Una celda abre los intentos.</translation>
     </message>
     <message>
         <source>Clear the search</source>
@@ -6101,6 +6179,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
+    <message>
+        <source>practice</source>
+        <translation>práctica</translation>
+    </message>
+    <message>
+        <source>in doubt</source>
+        <translation>en duda</translation>
+    </message>
     <message>
         <source>passed</source>
         <translation>aprobado</translation>
@@ -6687,6 +6773,22 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
 </context>
 <context>
     <name>ui::text::PeopleTexts</name>
+    <message>
+        <source>This attempt was made with another version of the lesson than the one that was assigned. It is practice and does not count.</source>
+        <translation>Este intento se hizo con otra versión de la lección que la asignada. Es práctica y no cuenta.</translation>
+    </message>
+    <message>
+        <source>The recording is missing, damaged or not of this attempt. The score does not count until a teacher gives one.</source>
+        <translation>La grabación falta, está dañada o no es de este intento. La puntuación no cuenta hasta que un docente dé una.</translation>
+    </message>
+    <message>
+        <source>The recording gives another result than the one that was reported. The score does not count until a teacher gives one.</source>
+        <translation>La grabación da otro resultado que el comunicado. La puntuación no cuenta hasta que un docente dé una.</translation>
+    </message>
+    <message>
+        <source>This exam was not begun as its recording says: its start is missing here, or less time has passed since than was worked. The score does not count until a teacher gives one.</source>
+        <translation>Este examen no empezó como dice su grabación: falta aquí su comienzo, o desde entonces pasó menos tiempo del trabajado. La puntuación no cuenta hasta que un docente dé una.</translation>
+    </message>
     <message>
         <source>Free practice</source>
         <translation>Práctica libre</translation>
@@ -7446,8 +7548,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Mejores puntuaciones</translation>
     </message>
     <message>
-        <source>✓: passed; ▲: overdue, or no attempts left; ▲ behind a name: needs the teacher</source>
-        <translation>✓: aprobado; ▲: plazo vencido o sin más intentos; ▲ tras un nombre: necesita al docente</translation>
+        <source>✓: passed; ▲: overdue, or no attempts left; ⚠: does not match its recording; ▲ behind a name: needs the teacher</source>
+        <translation>✓: aprobado; ▲: plazo vencido o sin más intentos; ⚠: no coincide con su grabación; ▲ tras un nombre: necesita al docente</translation>
     </message>
 </context>
 <context>
@@ -10780,6 +10882,10 @@ sin guardar</translation>
 </context>
 <context>
     <name>ui::scoring::ScorePage</name>
+    <message>
+        <source>Does not count</source>
+        <translation>No cuenta</translation>
+    </message>
     <message>
         <source>You expected %1 points, which is exactly right.</source>
         <translation>Esperaba %1 puntos: acertó exactamente.</translation>

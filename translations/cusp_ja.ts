@@ -4,6 +4,18 @@
 <context>
     <name>Admin</name>
     <message>
+        <source>an attempt was compared with the assigned version</source>
+        <translation>試行が課された版と比較された</translation>
+    </message>
+    <message>
+        <source>marked an attempt again from its recording</source>
+        <translation>記録から試行を採点し直した</translation>
+    </message>
+    <message>
+        <source>found an older copy in the place of the database</source>
+        <translation>データベースの代わりに古いコピーを見つけた</translation>
+    </message>
+    <message>
         <source>logged in</source>
         <translation>ログインしました</translation>
     </message>
@@ -1049,6 +1061,22 @@
 <context>
     <name>Fault</name>
     <message>
+        <source>&quot;%1&quot; has changed since the lesson was read; open the page again.</source>
+        <translation>「%1」は課題を読み込んだ後に変更されました。ページを開き直してください。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read, or has more than %2 MB, which a lesson may take along; use a coarser scan.</source>
+        <translation>「%1」は読み込めないか、課題に含められる%2 MBを超えています。より粗いスキャンを使ってください。</translation>
+    </message>
+    <message>
+        <source>The version that was assigned is not on this computer yet. Open this page again when the database can be reached.</source>
+        <translation>課された版はまだこのコンピューターにありません。データベースに接続できるときにこのページを開き直してください。</translation>
+    </message>
+    <message>
+        <source>The version that was assigned cannot be read by this version of Cusp. Ask who keeps Cusp to update it.</source>
+        <translation>このCuspでは課された版を読み込めません。管理者にCuspの更新を依頼してください。</translation>
+    </message>
+    <message>
         <source>touch.points[%1]: there is no tooth at x = %2, y = %3 mm</source>
         <translation>touch.points[%1]：x = %2、y = %3 mmに歯がありません</translation>
     </message>
@@ -2082,6 +2110,22 @@
 </context>
 <context>
     <name>Finding</name>
+    <message>
+        <source>version %1 of the lesson %2 was changed or is damaged; assign the lesson again</source>
+        <translation>課題%2の版%1は変更されたか破損しています。課題をもう一度割り当ててください</translation>
+    </message>
+    <message>
+        <source>row %1 of the audit was not written by Cusp: the role of person:%2 did not permit %3 on %4 then</source>
+        <translation>監査ログの行%1はCuspが書いたものではありません：当時のperson:%2の役割では%4に対する%3は許可されていません</translation>
+    </message>
+    <message>
+        <source>row %1 of the audit (%2): a computer had seen later rows of it. If nobody restored a backup without Cusp then, somebody put an older copy in the place of the database</source>
+        <translation>監査ログの行%1（%2）：あるコンピューターはそれより後の行を見ていました。そのときCuspを使わずにバックアップを復元した人がいなければ、誰かがデータベースを古いコピーに置き換えています</translation>
+    </message>
+    <message>
+        <source>%1 attempts do not match their recordings and do not count; the pages of the classes mark them</source>
+        <translation>%1件の試行は記録と一致せず、数えられません。クラスのページに印が付いています</translation>
+    </message>
     <message>
         <source>&quot;%1&quot; is no audit code; a report shows one such as 412-9f3ac07be1d2</source>
         <translation>「%1」は監査コードではありません。レポートには 412-9f3ac07be1d2 のように表示されます</translation>
@@ -3201,6 +3245,14 @@
 </context>
 <context>
     <name>app::SchoolController</name>
+    <message>
+        <source>An attempt does not match its recording, so its score does not count. It is marked in the student&apos;s attempts and in the table of the class.</source>
+        <translation>記録と一致しない試行があり、その得点は数えられません。学生の試行とクラスの表に印が付いています。</translation>
+    </message>
+    <message>
+        <source>The database is older than when this computer last used it: attempts and changes may be missing. If nobody restored a backup, somebody put an older copy in its place. The audit has a row about it.</source>
+        <translation>データベースはこのコンピューターが最後に使ったときより古く、試行や変更が失われている可能性があります。バックアップを復元した人がいなければ、誰かが古いコピーに置き換えています。監査ログに記録があります。</translation>
+    </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
         <translation>今日のバックアップは作成されませんでした。%1</translation>
@@ -5312,6 +5364,32 @@ load 名前        保存済みの硬さのプリセットを使います</trans
 <context>
     <name>ui::people::AssignPage</name>
     <message>
+        <source>Assign version %1 to new attempts</source>
+        <translation>新しい試行に版%1を割り当てる</translation>
+    </message>
+    <message>
+        <source>Assign the changed lesson to new attempts</source>
+        <translation>新しい試行に変更後の課題を割り当てる</translation>
+    </message>
+    <message numerus="yes">
+        <source>Assign %n changed lesson(s) to new attempts</source>
+        <translation>
+            <numerusform>新しい試行に変更後の課題%n件を割り当てる</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Attempts that have been begun, and scores so far, stay with the version they were made with.</source>
+        <translation>開始済みの試行とこれまでの得点は、そのときの版のままです。</translation>
+    </message>
+    <message>
+        <source>%1 (a later version is available)</source>
+        <translation>%1（新しい版があります）</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <translation>%1、版%2</translation>
+    </message>
+    <message>
         <source>given</source>
         <translation>割り当て済み</translation>
     </message>
@@ -5447,13 +5525,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
             <numerusform>未合格の学生%n人には試行が残っていません。以前の試行も数えられます。</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n lesson(s) of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</source>
-        <extracomment>%1: titles; %2: files</extracomment>
-        <translation>
-            <numerusform>自作の課題%n件：%1。学生がこれを使えるのは、そのファイルもあるコンピューターだけです。課題のページの「あなたの課題」で開くフォルダーに %2 をコピーしてください。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No lesson fits. Search for another word.</source>
         <translation>該当する課題がありません。別の言葉で検索してください。</translation>
@@ -5585,6 +5656,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
 </context>
 <context>
     <name>ui::people::ClassModel</name>
+    <message numerus="yes">
+        <source>%1, of which %n do not match their recordings and do not count</source>
+        <translation>
+            <numerusform>%1、うち%n件は記録と一致せず数えられません</numerusform>
+        </translation>
+    </message>
     <message>
         <source>stuck</source>
         <extracomment>Of a student</extracomment>
@@ -5848,8 +5925,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>合格していない課題の試行回数が残っていない学生を表示します。「課題を割り当てる」で回数を増やせます。</translation>
     </message>
     <message>
-        <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
-        <translation>各学生の最高点。チェック印：合格、▲：期限超過または残り回数なし。見出しで並べ替え、もう一度で逆順、次に名前順。セルで試行を開きます。</translation>
+        <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left; ⚠: does not match its recording. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>各学生の最高点。チェック印：合格、▲：期限超過または残り回数なし、⚠：記録と一致しない。見出しで並べ替え、もう一度で逆順、次に名前順。セルで試行を開きます。</translation>
     </message>
     <message>
         <source>Clear the search</source>
@@ -6063,6 +6140,14 @@ load 名前        保存済みの硬さのプリセットを使います</trans
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
+    <message>
+        <source>practice</source>
+        <translation>練習</translation>
+    </message>
+    <message>
+        <source>in doubt</source>
+        <translation>要確認</translation>
+    </message>
     <message>
         <source>passed</source>
         <translation>合格</translation>
@@ -6642,6 +6727,22 @@ load 名前        保存済みの硬さのプリセットを使います</trans
 </context>
 <context>
     <name>ui::text::PeopleTexts</name>
+    <message>
+        <source>This attempt was made with another version of the lesson than the one that was assigned. It is practice and does not count.</source>
+        <translation>この試行は課された版とは別の版で行われました。練習であり、数えられません。</translation>
+    </message>
+    <message>
+        <source>The recording is missing, damaged or not of this attempt. The score does not count until a teacher gives one.</source>
+        <translation>記録がないか、破損しているか、この試行のものではありません。教員が得点を付けるまで数えられません。</translation>
+    </message>
+    <message>
+        <source>The recording gives another result than the one that was reported. The score does not count until a teacher gives one.</source>
+        <translation>記録からは報告と異なる結果が得られます。教員が得点を付けるまで数えられません。</translation>
+    </message>
+    <message>
+        <source>This exam was not begun as its recording says: its start is missing here, or less time has passed since than was worked. The score does not count until a teacher gives one.</source>
+        <translation>この試験は記録どおりに開始されていません。開始の記録がないか、開始からの時間が作業時間より短いためです。教員が得点を付けるまで数えられません。</translation>
+    </message>
     <message>
         <source>Free practice</source>
         <translation>自由練習</translation>
@@ -7396,8 +7497,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>最高点</translation>
     </message>
     <message>
-        <source>✓: passed; ▲: overdue, or no attempts left; ▲ behind a name: needs the teacher</source>
-        <translation>✓：合格、▲：期限超過または残り回数なし、名前の後の▲：教員の対応が必要</translation>
+        <source>✓: passed; ▲: overdue, or no attempts left; ⚠: does not match its recording; ▲ behind a name: needs the teacher</source>
+        <translation>✓：合格、▲：期限超過または残り回数なし、⚠：記録と一致しない、名前の後の▲：教員の対応が必要</translation>
     </message>
 </context>
 <context>
@@ -10715,6 +10816,10 @@ unsaved</source>
 </context>
 <context>
     <name>ui::scoring::ScorePage</name>
+    <message>
+        <source>Does not count</source>
+        <translation>数えられません</translation>
+    </message>
     <message>
         <source>You expected %1 points, which is exactly right.</source>
         <translation>予想は%1点：ぴったりです。</translation>

@@ -571,7 +571,7 @@ void AssignPage::fillGiven()
         const QString title = titleOf(given.lessonId);
         const LessonOffer* later = laterVersionOf(given);
         //: %1: title of a lesson
-        add(later != nullptr ? tr("%1 (a later version is here)").arg(title) : title, title)
+        add(later != nullptr ? tr("%1 (a later version is available)").arg(title) : title, title)
             ->setToolTip(given.lessonVersion == 0 ? title
                                                   //: %1: title of a lesson, %2: number of its version
                                                   : tr("%1, version %2").arg(title).arg(given.lessonVersion));

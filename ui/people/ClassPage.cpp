@@ -690,9 +690,9 @@ void ClassPage::retell()
     m_savePdf->setText(tr("Save as PDF …"));
     m_print->setText(tr("Print …"));
     m_saveCsv->setText(tr("Save the matrix as a table (CSV) …"));
-    m_legend->setText(tr("Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading "
-                         "sorts, once more the other way, then by "
-                         "name. A cell opens the attempts."));
+    m_legend->setText(tr("Best score of each student; a tick: passed; ▲: overdue, or no attempts left; ⚠: does "
+                         "not match its recording. A heading sorts, once more the other way, then by name. A cell "
+                         "opens the attempts."));
     m_legend->setToolTip(kit::brokenIntoLines(m_legend->text()));
     m_model->retell();
     fitColumns();

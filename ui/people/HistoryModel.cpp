@@ -55,8 +55,10 @@ QString HistoryModel::words(const AttemptRecord& attempt, int column) const
     case Score:
         return text::points(attempt.countingTenths());
     case Result:
-        //: Of an attempt
-        return !attempt.counts() ? tr("does not count") : attempt.countsAsPassed() ? tr("passed") : tr("not passed");
+        if (!attempt.counts())
+            //: Of an attempt that does not count
+            return attempt.doubt == database::Doubt::Version ? tr("practice") : QStringLiteral("⚠ ") + tr("in doubt");
+        return attempt.countsAsPassed() ? tr("passed") : tr("not passed");
     case Time:
         return text::clock(attempt.durationMs);
     case Force:

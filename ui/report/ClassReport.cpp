@@ -64,7 +64,9 @@ QString day(const std::string& utc)
 void paintTitle(Sheet& sheet)
 {
     sheet.head(Words::tr("Best scores"), kHeadsPt);
-    sheet.say(Words::tr("✓: passed; ▲: overdue, or no attempts left; ▲ behind a name: needs the teacher"), kTextPt);
+    sheet.say(Words::tr("✓: passed; ▲: overdue, or no attempts left; ⚠: does not match its recording; ▲ behind a "
+                        "name: needs the teacher"),
+              kTextPt);
     sheet.skip(2.0);
 }
 

@@ -274,6 +274,11 @@ QWidget* ScorePage::makeResult()
     fold(m_expected);
     m_expected->setObjectName(QStringLiteral("expectation"));
     words->addStretch(1);
+    m_doubt = scoreLabel({}, kBody, QFont::Normal, QPalette::WindowText, frame);
+    fold(m_doubt);
+    m_doubt->setObjectName(QStringLiteral("doubt"));
+    m_doubt->hide();
+    words->addWidget(m_doubt);
     words->addWidget(makeAdvice());
     words->addWidget(m_expected);
     m_unrecorded = scoreLabel({}, kBody, QFont::Normal, QPalette::WindowText, frame);
@@ -322,11 +327,6 @@ QWidget* ScorePage::makeCriteria()
     m_presetWarning->setContentsMargins(kSpace2, 0, kSpace2, 0);
     m_presetWarning->setObjectName(QStringLiteral("presetWarning"));
     column->addWidget(m_presetWarning);
-    m_doubt = scoreLabel({}, kSmall, QFont::Normal, QPalette::WindowText, frame);
-    fold(m_doubt);
-    m_doubt->setContentsMargins(kSpace2, 0, kSpace2, 0);
-    m_doubt->setObjectName(QStringLiteral("doubt"));
-    column->addWidget(m_doubt);
     m_detailsButton = new QToolButton(frame);
     m_detailsButton->setObjectName(QStringLiteral("scoreDetails"));
     m_detailsButton->setCheckable(true);
