@@ -25,6 +25,7 @@ const QString kMemory = QStringLiteral("password.memory");
 /// Setting with the hash of a random password, which no person has.
 const QString kDecoy = QStringLiteral("password.decoy");
 constexpr int kMostDoublings = 20;
+constexpr std::size_t kStationDigits = 16;
 
 /// The stored login data of a name.
 struct Account
@@ -58,10 +59,26 @@ core::Error tooSoon(std::chrono::milliseconds wait)
                                     (seconds == 1 ? " second" : " seconds") + " and try again"};
 }
 
-/// Returns the key of a second row for a name, which exists while a login attempt is being compared.
+/// Returns the key of a row for a name, which exists while a login attempt is being compared.
 QVariant tryOf(const std::string& hash)
 {
     return text("try:" + hash);
+}
+
+/// Returns the key of the row with the failures of a name on this station. The row of the name itself has those on all
+/// stations.
+QVariant hereOf(const DatabaseContext& school, const std::string& hash)
+{
+    return text(hash + '@' + digestOf(school.key.publicHex()).substr(0, kStationDigits));
+}
+
+/// Returns the wait after a number of failures.
+std::chrono::milliseconds waitAfter(int failures, int freeFailures, std::chrono::seconds longest)
+{
+    const int beyond = failures - freeFailures;
+    if (beyond < 0)
+        return std::chrono::milliseconds(0);
+    return std::min<std::chrono::milliseconds>(longest, std::chrono::seconds(1LL << std::min(beyond, kMostDoublings)));
 }
 
 /// The state of the login attempts of a name.
@@ -77,23 +94,24 @@ core::Result<Tries> triesOf(const DatabaseContext& school, const std::string& ha
     // If a station stops during a comparison, the others do not wait for it any longer than this.
     constexpr std::chrono::milliseconds kLongestTry = std::chrono::seconds(5);
     Tries tries;
+    const QVariant here = hereOf(school, hash);
     const auto read =
-        forEach(school.db, "SELECT name_hash, failures, last_ms FROM failed_logins WHERE name_hash IN (?, ?)", kLogIn,
-                {text(hash), tryOf(hash)}, [&](const QSqlQuery& row) {
+        forEach(school.db, "SELECT name_hash, failures, last_ms FROM failed_logins WHERE name_hash IN (?, ?, ?)",
+                kLogIn, {text(hash), here, tryOf(hash)}, [&](const QSqlQuery& row) {
                     // If the clock was set back, a person must neither be locked out for long nor be admitted at once.
                     const qlonglong goneMs = nowMs(school) - row.value(2).toLongLong();
                     tries.isAhead = tries.isAhead || goneMs < 0;
                     const std::chrono::milliseconds gone(std::max(0LL, goneMs));
-                    if (textOf(row, 0) != hash) {
+                    const std::string key = textOf(row, 0);
+                    if (key != hash && key != here.toString().toStdString()) {
                         tries.isCompared = gone < kLongestTry;
                         return;
                     }
-                    const int beyond = row.value(1).toInt() - Logins::kFreeFailures;
-                    if (beyond < 0)
-                        return;
-                    const std::chrono::milliseconds whole = std::min<std::chrono::milliseconds>(
-                        Logins::kLongestWait, std::chrono::seconds(1LL << std::min(beyond, kMostDoublings)));
-                    tries.wait = std::max(std::chrono::milliseconds(0), whole - gone);
+                    const auto whole =
+                        key == hash ? waitAfter(row.value(1).toInt(), Logins::kFreeFailuresAnywhere,
+                                                Logins::kLongestWaitAnywhere)
+                                    : waitAfter(row.value(1).toInt(), Logins::kFreeFailures, Logins::kLongestWait);
+                    tries.wait = std::max(tries.wait, whole - gone);
                 });
     if (!read)
         return tl::unexpected(read.error());
@@ -105,8 +123,8 @@ core::Result<Tries> triesOf(const DatabaseContext& school, const std::string& ha
 core::Status bringBack(const DatabaseContext& school, const std::string& hash)
 {
     const qlonglong now = nowMs(school);
-    return execute(school.db, "UPDATE failed_logins SET last_ms = ? WHERE name_hash IN (?, ?) AND last_ms > ?", kLogIn,
-                   {now, text(hash), tryOf(hash), now});
+    return execute(school.db, "UPDATE failed_logins SET last_ms = ? WHERE name_hash IN (?, ?, ?) AND last_ms > ?",
+                   kLogIn, {now, text(hash), hereOf(school, hash), tryOf(hash), now});
 }
 
 /// Counts an attempt. Failures of the day before are forgotten: a few slips a week must not add up to a long wait.
@@ -136,7 +154,7 @@ core::Result<bool> reserveTry(const DatabaseContext& school, const std::string& 
                 kLogIn, {yesterdayMs(school), Logins::kMostFailedNames});
             !forgotten)
             return tl::unexpected(forgotten.error());
-        for (const QVariant& name : {text(hash), tryOf(hash)})
+        for (const QVariant& name : {QVariant(text(hash)), hereOf(school, hash), tryOf(hash)})
             if (auto counted = countTry(school, name); !counted)
                 return tl::unexpected(counted.error());
         return true;
@@ -170,10 +188,25 @@ core::Status beginTry(const DatabaseContext& school, const std::string& hash)
     return tl::unexpected(tooSoon(std::chrono::seconds(1)));
 }
 
-/// Deletes the failures of a name. Call it inside the transaction that follows a correct password or code.
+/// Uncounts an attempt in these rows.
+core::Status uncount(const DatabaseContext& school, const QVariantList& rows)
+{
+    for (const QVariant& row : rows)
+        for (const char* sql : {"DELETE FROM failed_logins WHERE name_hash = ? AND failures = 1",
+                                "UPDATE failed_logins SET failures = failures - 1 WHERE name_hash = ?"})
+            if (auto done = execute(school.db, QLatin1String(sql), kLogIn, {row}); !done)
+                return done;
+    return {};
+}
+
+/// Deletes the failures of a name here. Call it inside the transaction that follows a correct password or code. Those
+/// on other stations stay: somebody may be guessing there.
 core::Status forgive(const DatabaseContext& school, const std::string& hash)
 {
-    return execute(school.db, "DELETE FROM failed_logins WHERE name_hash IN (?, ?)", kLogIn, {text(hash), tryOf(hash)});
+    if (auto uncounted = uncount(school, {text(hash)}); !uncounted)
+        return uncounted;
+    return execute(school.db, "DELETE FROM failed_logins WHERE name_hash IN (?, ?)", kLogIn,
+                   {hereOf(school, hash), tryOf(hash)});
 }
 
 core::Status endTry(const DatabaseContext& school, const std::string& hash)
@@ -195,10 +228,8 @@ core::Status noteFailure(const DatabaseContext& school, const std::string& hash)
 core::Status takeBack(const DatabaseContext& school, const std::string& hash)
 {
     return inTurn(school, kLogIn, [&]() -> core::Status {
-        for (const char* sql : {"DELETE FROM failed_logins WHERE name_hash = ? AND failures = 1",
-                                "UPDATE failed_logins SET failures = failures - 1 WHERE name_hash = ?"})
-            if (auto done = execute(school.db, QLatin1String(sql), kLogIn, {text(hash)}); !done)
-                return done;
+        if (auto uncounted = uncount(school, {text(hash), hereOf(school, hash)}); !uncounted)
+            return uncounted;
         return endTry(school, hash);
     });
 }

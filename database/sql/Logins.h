@@ -15,10 +15,15 @@ namespace database::sql {
 class Logins
 {
 public:
-    /// Number of failures without a delay. After more failures in a row, the next attempt has to wait one second, then
-    /// two, four and so on, up to kLongestWait. If the last failure was more than a day ago, they count from 1 again.
+    /// Number of failures of a name on one station without a delay. After more failures in a row, the next attempt has
+    /// to wait one second, then two, four and so on, up to kLongestWait. If the last failure was more than a day ago,
+    /// they count from 1 again.
     static constexpr int kFreeFailures = 3;
     static constexpr std::chrono::seconds kLongestWait = std::chrono::minutes(15);
+    /// The same for the failures of a name on all stations together. The short wait slows down somebody who guesses with
+    /// many keys of stations, and does not keep the person out.
+    static constexpr int kFreeFailuresAnywhere = 30;
+    static constexpr std::chrono::seconds kLongestWaitAnywhere{8};
     /// If more names than this have failed logins, those that have not been tried for a day are removed.
     static constexpr int kMostFailedNames = 10'000;
     /// Validity of a one-time code.

@@ -354,8 +354,8 @@ core::Result<Entered> resetPassword(const DatabaseContext& school, const Login& 
                 "set a one-time code", {text(kept.codeHash), text(kept.codeUntilUtc), number(person.value)});
             !set)
             return tl::unexpected(set.error());
-        if (auto forgiven = execute(school.db, "DELETE FROM failed_logins WHERE name_hash = ?", "set a one-time code",
-                                    {text(digestOf(who->username))});
+        if (auto forgiven = execute(school.db, "DELETE FROM failed_logins WHERE name_hash LIKE ?",
+                                    "set a one-time code", {text(digestOf(who->username) + '%')});
             !forgiven)
             return tl::unexpected(forgiven.error());
         if (auto noted = noteLogin(school, session.uid(), "password.reset", who->uid); !noted)

@@ -161,6 +161,7 @@ private slots:
                 std::atomic<int> refused = 0;
                 atOnce(rig.address(), std::vector<Work>(kStations, [&](DatabaseContext school) {
                            school.nowUtc = [&rig] { return rig.nowUtc; };
+                           school.key = rig.school().key;  // several windows of one computer
                            const auto session = Logins::login(school, name, "wrong horse");
                            if (!session)
                                ++(session.error().code == ErrorCode::TooSoon ? refused : compared);

@@ -200,6 +200,34 @@ private slots:
         VERIFY_DONE(rig.logIn("s1002"));
     }
 
+    /// Somebody who guesses on one computer does not keep the person out of the others.
+    void failuresElsewhereKeepNobodyOut_data() { support::addEngines(); }
+    void failuresElsewhereKeepNobodyOut()
+    {
+        COPY_OF(support::populatedSchool, rig);
+        DatabaseContext elsewhere = rig.school();
+        elsewhere.key = StationKey::make();
+        const auto guess = [&](const DatabaseContext& at) { return Logins::login(at, "s1001", "wrong"); };
+        for (int k = 0; k < Logins::kFreeFailures; ++k)
+            VERIFY_REFUSED(guess(elsewhere), ErrorCode::WrongLogin);
+        VERIFY_REFUSED(guess(elsewhere), ErrorCode::TooSoon);
+        VERIFY_DONE(rig.logIn("s1001"));
+        // Their own login here does not forgive the computer where it was guessed.
+        VERIFY_REFUSED(guess(elsewhere), ErrorCode::TooSoon);
+        // With a new key for each guess, guessing is slowed down, and the person waits for some seconds at most.
+        core::ErrorCode code = ErrorCode::WrongLogin;
+        for (int k = 0; k < Logins::kFreeFailuresAnywhere && code == ErrorCode::WrongLogin; ++k) {
+            elsewhere.key = StationKey::make();
+            code = guess(elsewhere).error().code;
+        }
+        QVERIFY(code == ErrorCode::TooSoon);
+        rig.nowUtc = rig.nowUtc.addSecs(Logins::kLongestWaitAnywhere.count());
+        VERIFY_DONE(rig.logIn("s1001"));
+        // A one-time code of an admin ends every wait.
+        VERIFY_DONE(resetPassword(rig.school(), rig.admin, rig.student.person()));
+        QCOMPARE(rig.count("failed_logins"), 0);
+    }
+
     void failuresOfTheDayBeforeAreForgotten_data() { support::addEngines(); }
     void failuresOfTheDayBeforeAreForgotten()
     {
@@ -255,9 +283,9 @@ private slots:
                      .arg(rig.nowUtc.toMSecsSinceEpoch())});
         rig.nowUtc = rig.nowUtc.addDays(2);
         VERIFY_REFUSED(rig.logIn("nobody", "wrong"), ErrorCode::WrongLogin);
-        QCOMPARE(rig.count("failed_logins"), Logins::kMostFailedNames + 1);
+        QCOMPARE(rig.count("failed_logins"), Logins::kMostFailedNames + 2);
         VERIFY_REFUSED(rig.logIn("nobody", "wrong"), ErrorCode::WrongLogin);
-        QCOMPARE(rig.count("failed_logins"), 1);
+        QCOMPARE(rig.count("failed_logins"), 2);
     }
 
     void aServersClockIsTaken()
