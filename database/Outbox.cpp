@@ -175,11 +175,15 @@ core::Status Outbox::put(const Login& session, const ExamStart& start)
 {
     if (reachOf(Operation::AddAttempt, session.role()) == Reach::Nothing)
         return core::unexpected(ErrorCode::NotAllowed, "a guest's exams are not kept; log in first");
+    // A resumed exam is reported again. Its first start counts.
+    const QString name = QString::fromStdString(start.uid) + kExamEnding;
+    if (QFileInfo::exists(QDir(m_folder).filePath(name)))
+        return {};
     core::ByteWriter content;
     for (const std::string* text : {&start.uid, &session.uid(), &start.lessonId, &start.begunUtc})
         content.putText(*text);
     content.putText(m_school.toStdString());
-    return write(QString::fromStdString(start.uid) + kExamEnding, content.bytes());
+    return write(name, content.bytes());
 }
 
 core::Status Outbox::write(const QString& name, const std::string& content) const

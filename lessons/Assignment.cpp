@@ -228,7 +228,7 @@ core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn)
 bool isToothOf(const Lesson& lesson, const core::terrain::ToothAnatomy& tooth)
 {
     const auto assigned = assign(lesson, tooth.seed);
-    return assigned && core::terrain::isSameTooth(*assigned->assignment.anatomy, tooth);
+    return assigned && core::terrain::isAlmostSameTooth(*assigned->assignment.anatomy, tooth);
 }
 
 bool isSameLesson(const Assignment& a, const Assignment& b)

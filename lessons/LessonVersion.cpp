@@ -137,25 +137,32 @@ core::Status cacheVersion(const std::string& hash, const QByteArray& pack)
                             {pack.constData(), static_cast<std::size_t>(pack.size())}, "The assigned lesson");
 }
 
+bool isVersionCached(const std::string& hash)
+{
+    return QFileInfo::exists(cacheFile(hash));
+}
+
 core::Result<Lesson> cachedVersion(const std::string& hash)
 {
     const QString file = cacheFile(hash);
-    if (!QFileInfo::exists(file))
+    if (!isVersionCached(hash))
         return core::unexpected(
             ErrorCode::FileMissing,
             core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "The version that was assigned is not on this computer "
                                                              "yet. Open this page again when the database can be "
                                                              "reached.")});
     const auto folder = openPack(file);
-    if (!folder)
+    if (!folder && folder.error().code == ErrorCode::FileUnwritable)  // the disk may be full
         return tl::unexpected(folder.error());
-    const QStringList names = QDir(*folder).entryList({u'*' + kTextSuffix}, QDir::Files);
+    const QStringList names = folder ? QDir(*folder).entryList({u'*' + kTextSuffix}, QDir::Files) : QStringList();
     ReadLesson read = names.isEmpty() ? ReadLesson{} : readLesson(QDir(*folder).filePath(names.front()));
-    if (!read.lesson || read.lesson->hash != hash)
+    if (!read.lesson || read.lesson->hash != hash) {
+        QFile::remove(file);  // the next try fetches it again
         return core::unexpected(
             ErrorCode::BadStructure,
             core::LocalizableText{QT_TRANSLATE_NOOP("Fault", "The version that was assigned cannot be read by this "
                                                              "version of Cusp. Ask who keeps Cusp to update it.")});
+    }
     return std::move(*read.lesson);
 }
 

@@ -33,7 +33,8 @@ struct LessonVersion
 /// Stores a pack in the user's cache. OutOfRange: it is of another version.
 /// @param hash  of the lesson
 [[nodiscard]] core::Status cacheVersion(const std::string& hash, const QByteArray& pack);
-/// Reads a version from the user's cache. FileMissing: it is not there. BadStructure: it was changed.
+[[nodiscard]] bool isVersionCached(const std::string& hash);
+/// Reads a version from the user's cache. FileMissing: it is not there. BadStructure: it was changed, and is removed.
 [[nodiscard]] core::Result<Lesson> cachedVersion(const std::string& hash);
 
 }  // namespace lessons

@@ -141,14 +141,15 @@ void LessonsController::fetch(const std::vector<std::string>& versions)
     m_school.service->ask(
         this,
         [who = m_school.user, versions](const database::Repositories& school) -> core::Status {
+            core::Status done;  // one version that cannot be brought does not hold up the others
             for (const std::string& hash : versions) {
                 const auto pack = school.lessons.version(who, hash);
-                if (!pack)
-                    return tl::unexpected(pack.error());
-                if (auto kept = lessons::cacheVersion(hash, *pack); !kept)
-                    return kept;
+                const core::Status kept =
+                    pack ? lessons::cacheVersion(hash, *pack) : core::Status(tl::unexpected(pack.error()));
+                if (!kept)
+                    done = kept;
             }
-            return {};
+            return done;
         },
         [this, who = m_school.user](const core::Status& done) {
             if (m_school.user != who)

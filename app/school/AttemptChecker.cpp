@@ -28,7 +28,7 @@ struct AttemptChecker::Waiting
 {
     database::AttemptRecord attempt;
     std::optional<QByteArray> recording;  ///< empty: the database names one that it cannot read
-    QByteArray pack;                      ///< of its lesson's version; empty: not assigned
+    QByteArray pack;                      ///< of its lesson's version; empty: in the cache, or not assigned
     std::vector<database::ExamStart> starts;
 };
 
@@ -49,12 +49,12 @@ void AttemptChecker::search()
     m_school.service->ask(
         this,
         [who = m_school.user,
-         unreadable = m_unreadable](const Repositories& school) -> core::Result<std::optional<Waiting>> {
+         postponed = m_postponed](const Repositories& school) -> core::Result<std::optional<Waiting>> {
             const auto ids = school.attempts.toCheck(who, kSearched);
             if (!ids)
                 return tl::unexpected(ids.error());
             const auto next =
-                std::find_if(ids->begin(), ids->end(), [&](AttemptId id) { return !unreadable.contains(id.value); });
+                std::find_if(ids->begin(), ids->end(), [&](AttemptId id) { return !postponed.contains(id.value); });
             if (next == ids->end())
                 return std::optional<Waiting>();
             auto attempt = school.attempts.open(who, *next);
@@ -65,7 +65,8 @@ void AttemptChecker::search()
                 auto recording = school.attempts.recording(who, *next);
                 waiting.recording = recording ? std::optional(std::move(*recording)) : std::nullopt;
             }
-            waiting.pack = school.lessons.version(who, waiting.attempt.lessonHash).value_or(QByteArray());
+            if (!lessons::isVersionCached(waiting.attempt.lessonHash))
+                waiting.pack = school.lessons.version(who, waiting.attempt.lessonHash).value_or(QByteArray());
             auto starts = school.attempts.examStarts(who, waiting.attempt.person, waiting.attempt.lessonId);
             if (!starts)
                 return tl::unexpected(starts.error());
@@ -83,7 +84,7 @@ void AttemptChecker::check(const Waiting& waiting)
 {
     const AttemptId id{waiting.attempt.id};
     if (!waiting.recording) {
-        m_unreadable.insert(id.value);
+        m_postponed.insert(id.value);
         m_isBusy = false;
         return;
     }
@@ -93,7 +94,7 @@ void AttemptChecker::check(const Waiting& waiting)
         this,
         [waiting] {
             const std::string& hash = waiting.attempt.lessonHash;
-            if (!waiting.pack.isEmpty() && !lessons::cachedVersion(hash))
+            if (!waiting.pack.isEmpty())
                 static_cast<void>(lessons::cacheVersion(hash, waiting.pack));
             const auto assigned = lessons::cachedVersion(hash);
             return database::checkAttempt(waiting.attempt, *waiting.recording,
@@ -115,10 +116,12 @@ void AttemptChecker::note(AttemptId id, Doubt found)
         [who = m_school.user, id, found](const Repositories& school) {
             return school.attempts.noteCheck(who, id, found);
         },
-        [this, found](const core::Status& noted) {
+        [this, id, found](const core::Status& noted) {
             m_isBusy = false;
-            if (!noted)
+            if (!noted) {
+                m_postponed.insert(id.value);
                 return;
+            }
             if (found != Doubt::None)
                 emit doubted();
             search();

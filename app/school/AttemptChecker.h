@@ -39,7 +39,9 @@ private:
     const SchoolSession& m_school;
     QTimer m_timer;
     bool m_isBusy = false;
-    std::set<std::int64_t> m_unreadable;  ///< attempts whose recordings the school cannot read now
+    /// Attempts whose recordings the school cannot read now, or whose results it cannot note. They are left alone until
+    /// the next start.
+    std::set<std::int64_t> m_postponed;
 };
 
 }  // namespace app

@@ -24,7 +24,7 @@ public:
         database::AuditHead head;
         std::string atUtc;
     };
-    /// @param school  identity of the school, see database::sql::schoolOf()
+    /// @param school  letters, digits and '-': identity of the school (database::sql::schoolOf()) and its place
     [[nodiscard]] std::optional<Seen> of(const std::string& school) const;
     void remember(const std::string& school, const database::AuditHead& head, const std::string& nowUtc) const;
     /// Forgets a school: a backup takes its place.

@@ -26,6 +26,7 @@ namespace {
 using core::ErrorCode;
 using database::sql::DatabaseContext;
 
+constexpr std::size_t kPlaceDigits = 16;
 constexpr int kPatienceMs = 5000;  ///< time without an answer after which unanswered() is emitted
 
 /// Returns whether a request that failed with this error may succeed later.
@@ -230,11 +231,21 @@ core::Status SchoolService::openDatabase()
     return {};
 }
 
+/// A copy of the school in another place, such as a backup that somebody looks into, has a memory of its own.
+std::string SchoolService::memoryKey() const
+{
+    return m_known + '-' + database::digestOf(m_address.shown().toStdString()).substr(0, kPlaceDigits);
+}
+
 /// Notices an older copy in the place of the database.
 void SchoolService::compareAudit()
 {
-    const auto seen = m_memory.of(m_known);
-    if (!m_known.empty() && seen && database::sql::isOlderThan(*m_school, seen->head, seen->atUtc).value_or(false))
+    const auto seen = m_known.empty() ? std::nullopt : m_memory.of(memoryKey());
+    const auto isOlder =
+        seen ? database::sql::isOlderThan(*m_school, seen->head, seen->atUtc) : core::Result<bool>(false);
+    if (!isOlder)  // it could not be noted, and is compared again at the next start
+        return;
+    if (*isOlder)
         QMetaObject::invokeMethod(
             this, [this] { emit foundOlder(); }, Qt::QueuedConnection);
     rememberAudit();
@@ -248,7 +259,7 @@ void SchoolService::rememberAudit()
     if (!head || *head == m_seen)
         return;
     m_seen = *head;
-    m_memory.remember(m_known, *head, m_school->now());
+    m_memory.remember(memoryKey(), *head, m_school->now());
 }
 
 /// Rejects a database whose id differs from the one in which the user logged in, even a copy of it.
@@ -385,7 +396,7 @@ void SchoolService::restore(QObject* owner, const database::Login& session, cons
         database::Outbox(outboxFolder(), m_key.value_or(database::StationKey::make()),
                          database::Outbox::schoolAt(m_address, m_folder))
             .sendAgain();
-        m_memory.forget(m_known);
+        m_memory.forget(memoryKey());
         m_known.clear();  // the id may change: the backup may be of the school that this one was copied from
         const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
         Opening opening = tryToOpen();
@@ -445,6 +456,7 @@ void SchoolService::keep(QObject* owner, const database::Login& session, const d
         database::AttemptRecord own = attempt;
         own.personUid = session.uid();
         m_checked[digestOfLetter(own, bytes)] = database::Doubt::None;
+        m_graded.insert(QString::fromStdString(attempt.uid));
         answer(guard, kept, status);
         deliverAll();
     });
@@ -522,6 +534,8 @@ void SchoolService::deliverAll()
     for (const QString& file : std::as_const(files)) {
         if (m_undeliverable.contains(file) || m_forOthers.contains(file))
             continue;
+        if (m_isChecking && !database::Outbox::isExam(file) && !m_graded.contains(QFileInfo(file).completeBaseName()))
+            continue;  // it is marked again after the others
         if (!connect())
             return;
         const auto letter = readLetter(letters, file);

@@ -175,6 +175,7 @@ private:
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status openDatabase();
     [[nodiscard]] core::Status expectSameSchool(const QSqlDatabase& db);
+    [[nodiscard]] std::string memoryKey() const;
     void compareAudit();
     void rememberAudit();
     [[nodiscard]] core::Status mayRestore(const database::Login& session);
@@ -215,6 +216,7 @@ private:
     /// Attempts of the outbox by digest: those graded by this program, and those that were marked again. Somebody may
     /// have changed the files of others since they were graded.
     std::map<std::string, database::Doubt> m_checked;
+    QSet<QString> m_graded;     ///< uids of the attempts that this program has graded
     bool m_isChecking = false;  ///< an attempt is being marked again
     bool m_isLost = false;      ///< the connection broke and must be made again
     bool m_isDamaged = false;   ///< the file was damaged when it was opened last

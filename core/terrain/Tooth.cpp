@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cmath>
 
 namespace core::terrain {
 namespace {
@@ -31,6 +32,21 @@ std::uint64_t mix(std::uint64_t hash, std::uint32_t word)
 }
 
 }  // namespace
+
+bool isAlmostSameTooth(const ToothAnatomy& a, const ToothAnatomy& b)
+{
+    constexpr float kRoundingMm = 0.001F;
+    const auto isNear = [](float one, float other) { return one == other || std::abs(one - other) <= kRoundingMm; };
+    const auto isNearLayer = [&](const ColumnLayers& one, const ColumnLayers& other) {
+        return isNear(one.cariesRoof, other.cariesRoof) && isNear(one.cariesFloor, other.cariesFloor) &&
+               isNear(one.dej, other.dej) && isNear(one.pulpRoof, other.pulpRoof) &&
+               isNear(one.pulpFloor, other.pulpFloor);
+    };
+    return a.grid == b.grid && a.hasDecayZones == b.hasDecayZones &&
+           std::equal(a.top.begin(), a.top.end(), b.top.begin(), b.top.end(), isNear) &&
+           std::equal(a.bottom.begin(), a.bottom.end(), b.bottom.begin(), b.bottom.end(), isNear) &&
+           std::equal(a.layers.begin(), a.layers.end(), b.layers.begin(), b.layers.end(), isNearLayer);
+}
 
 bool isSameTooth(const ToothAnatomy& a, const ToothAnatomy& b)
 {

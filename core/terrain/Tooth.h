@@ -62,6 +62,10 @@ struct ToothAnatomy
 /// Returns whether two uncut teeth are the same: grid, surfaces and tissues, regardless of the name.
 [[nodiscard]] bool isSameTooth(const ToothAnatomy& a, const ToothAnatomy& b);
 
+/// Returns whether two uncut teeth differ by at most 0.001 mm. The last digits of a generated tooth depend on the
+/// processor: its mathematical functions may be rounded otherwise.
+[[nodiscard]] bool isAlmostSameTooth(const ToothAnatomy& a, const ToothAnatomy& b);
+
 /// Returns whether any column of a tooth has decay.
 [[nodiscard]] bool hasDecay(const ToothAnatomy& anatomy);
 

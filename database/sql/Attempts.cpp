@@ -189,8 +189,9 @@ core::Result<Doubt> doubtOf(const DatabaseContext& school, const AttemptRecord& 
     if (attempt.doubt != Doubt::None)
         return attempt.doubt;
     if (!attempt.recordingHash.empty()) {
-        const auto anothers = ask(school.db, "SELECT 1 FROM attempts WHERE recording_hash = ? AND person_id <> ?", kAdd,
-                                  {text(attempt.recordingHash), number(attempt.person.value)});
+        const auto anothers = ask(
+            school.db, "SELECT 1 FROM attempts WHERE recording_hash = ? AND recording_hash <> '' AND person_id <> ?",
+            kAdd, {text(attempt.recordingHash), number(attempt.person.value)});
         if (!anothers)
             return tl::unexpected(anothers.error());
         if (!anothers->isNull())

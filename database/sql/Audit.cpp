@@ -23,7 +23,8 @@ constexpr std::size_t kCodeDigits = 12;
 /// No real database has as many rows. A larger number is forged; the limit also leaves room for the next row.
 constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::max() / 4;
 const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, detail, hash");
-const QString kNoAttempt = QStringLiteral("AND action NOT IN ('attempt.add', 'exam.begin')");
+const QString kNoAttempt =
+    QStringLiteral("AND action NOT IN ('attempt.add', 'attempt.check', 'attempt.doubt', 'exam.begin')");
 
 AuditRow rowOf(const QSqlQuery& query)
 {

@@ -92,6 +92,16 @@ core::Status keepAssignedVersion(const DatabaseContext& school, const ClassAssig
                    {number(assignment.classId.value), text(assignment.lessonId), text(assignment.lessonHash)});
 }
 
+/// Excludes the attempts of a class at a lesson from every comparison of versions.
+core::Status keepUncompared(const DatabaseContext& school, const ClassAssignment& assignment)
+{
+    return execute(
+        school.db,
+        "UPDATE attempts SET checked = 2 WHERE checked = 0 AND doubt = '' AND lesson_id = ? AND person_id IN "
+        "(SELECT person_id FROM enrolments WHERE class_id = ?)",
+        "assign the lesson", {text(assignment.lessonId), number(assignment.classId.value)});
+}
+
 core::Status changedSince()
 {
     return core::unexpected(core::ErrorCode::ChangedSince,
@@ -304,12 +314,12 @@ core::Status assign(const DatabaseContext& school, const Login& session, const C
             !noted)
             return noted;
         // Attempts at an assignment from before versions were stored count as they did.
-        const bool hadNoVersion = *now && (*now)->lessonHash.empty();
-        if (!hadNoVersion)
-            if (auto compared =
-                    compareVersions(school, audit, session.uid(), assignment.classId, {}, assignment.lessonId);
-                !compared)
-                return compared;
+        if (*now && (*now)->lessonHash.empty())
+            if (auto kept = keepUncompared(school, assignment); !kept)
+                return kept;
+        if (auto compared = compareVersions(school, audit, session.uid(), assignment.classId, {}, assignment.lessonId);
+            !compared)
+            return compared;
         return audit.seal();
     });
 }

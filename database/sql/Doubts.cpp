@@ -99,10 +99,11 @@ core::Status compareVersions(const DatabaseContext& school, AuditBatch& audit, c
     if (auto read = forEach(
             school.db,
             "SELECT a.id, a.uid, a.person_id, a.lesson_id, a.doubt, CASE WHEN EXISTS (SELECT 1 FROM assigned_versions "
-            "v WHERE v.lesson_id = a.lesson_id AND v.lesson_hash = a.lesson_hash) THEN '' ELSE 'version' END FROM "
-            "attempts a JOIN enrolments e ON e.person_id = a.person_id JOIN people p ON p.id = a.person_id WHERE "
-            "e.class_id = ? AND p.role = 'student' AND a.doubt IN ('', 'version') AND a.lesson_id IN (SELECT "
-            "s.lesson_id FROM assignments s WHERE s.class_id = ? AND s.lesson_hash <> '')" +
+            "v WHERE v.lesson_id = a.lesson_id AND v.lesson_hash = a.lesson_hash AND (v.class_id = e.class_id OR "
+            "a.doubt = '')) THEN '' ELSE 'version' END FROM attempts a JOIN enrolments e ON e.person_id = a.person_id "
+            "JOIN people p ON p.id = a.person_id WHERE e.class_id = ? AND p.role = 'student' AND a.checked <> 2 AND "
+            "a.doubt IN ('', 'version') AND a.lesson_id IN (SELECT s.lesson_id FROM assignments s WHERE s.class_id = ? "
+            "AND s.lesson_hash <> '')" +
                 where,
             kCompareVersions, values,
             [&](const QSqlQuery& row) {
@@ -177,6 +178,15 @@ core::Status noteCheck(const DatabaseContext& school, const Login& session, Atte
             return core::unexpected(core::ErrorCode::UnknownName, "there is no such attempt");
         if (auto who = authorizeFor(school, session, Operation::CheckAttempt, person); !who)
             return tl::unexpected(who.error());
+        const auto isCopied =
+            ask(school.db,
+                "SELECT 1 FROM attempts a JOIN attempts b ON b.recording_hash = a.recording_hash AND "
+                "b.recording_hash <> '' WHERE a.id = ? AND b.id < a.id AND b.person_id <> a.person_id",
+                kCheckAttempt, {number(id.value)});
+        if (!isCopied)
+            return tl::unexpected(isCopied.error());
+        if (!isCopied->isNull())
+            found = Doubt::Recording;
         const Doubt now = found == Doubt::None && before == Doubt::Version ? before : found;
         if (auto set = execute(school.db, "UPDATE attempts SET doubt = ?, checked = 1 WHERE id = ?", kCheckAttempt,
                                {text(doubtId(now)), number(id.value)});

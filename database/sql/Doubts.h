@@ -32,8 +32,9 @@ class AuditBatch;
 /// False if a class was assigned the lesson before versions were stored.
 [[nodiscard]] core::Result<bool> isOfAnotherVersion(const DatabaseContext& school, const AttemptRecord& attempt);
 
-/// Compares the earlier attempts of students at a lesson with the versions that were ever assigned to any class, and
-/// changes Doubt::None to Doubt::Version or back. Call it inside a transaction after the assignment.
+/// Compares the earlier attempts of students at a lesson with the assigned versions. A version that no class was ever
+/// assigned changes Doubt::None to Doubt::Version, and one that this class was assigned changes it back. Attempts from
+/// before there were versions stay as they are. Call it inside a transaction after the assignment.
 /// @param ofClass   the class whose students are compared
 /// @param person    only this student; 0: all of them
 /// @param lessonId  only this lesson; empty: all that the class was assigned
@@ -43,7 +44,8 @@ class AuditBatch;
 /// Returns the newest attempts of students that no teacher or admin has checked since checks exist, newest first.
 [[nodiscard]] core::Result<std::vector<AttemptId>> attemptsToCheck(const DatabaseContext& school, const Login& session,
                                                                    int limit);
-/// Records the result of checkAttempt() by a teacher or an admin. Doubt::None ends any doubt but Doubt::Version.
+/// Records the result of checkAttempt() by a teacher or an admin. Doubt::None ends any doubt but Doubt::Version, and
+/// that about a recording that another person delivered before.
 [[nodiscard]] core::Status noteCheck(const DatabaseContext& school, const Login& session, AttemptId id, Doubt found);
 
 }  // namespace database::sql

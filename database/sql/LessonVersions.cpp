@@ -24,9 +24,9 @@ core::Status putVersion(const DatabaseContext& school, const std::string& lesson
     if (!there->isNull() && there->toString().toStdString() == lessonId)
         return {};
     const auto version = lessons::versionIn(pack);
-    if (!version)
+    if (!version && !pack.isEmpty())
         return tl::unexpected(version.error());
-    if (version->hash != hash || version->id != lessonId)
+    if (!version || version->hash != hash || version->id != lessonId)
         return core::unexpected(ErrorCode::OutOfRange,
                                 "the lesson has changed meanwhile; open the page again and assign it again");
     return execute(school.db, "INSERT INTO lesson_versions (hash, lesson_id, version, pack) VALUES (?, ?, ?, ?)",

@@ -125,7 +125,7 @@ private slots:
         };
         const ClassAssignment wanted{0, rig.first, kExam, "", 1, exam.hash};
         refused(wanted, other, ErrorCode::OutOfRange);
-        refused(wanted, {}, ErrorCode::WrongKind);
+        refused(wanted, {}, ErrorCode::OutOfRange);
         refused(wanted, "no pack", ErrorCode::WrongKind);
         refused({0, rig.first, "decay-36-moderate", "", 1, exam.hash}, lessons::packVersion(exam).value(),
                 ErrorCode::OutOfRange);
@@ -179,7 +179,14 @@ private slots:
         QVERIFY(versionPack(rig.school(), rig.student, third.hash).has_value());
         // The other class was assigned only the fourth version.
         VERIFY_DONE(assign(rig.school(), rig.otherInstructor, {0, rig.second, kExam, "", 1, fourth.hash}));
-        QVERIFY(doubtOf(rig, add(rig, rig.stranger, workAt(third, 3, 8))) == Doubt::Version);
+        const AttemptId others = add(rig, rig.stranger, workAt(third, 3, 8));
+        QVERIFY(doubtOf(rig, others) == Doubt::Version);
+        // A change of the assignment does not make it one of this class.
+        const ClassAssignment given = listAssignments(rig.school(), rig.otherInstructor)->front();
+        ClassAssignment more = given;
+        more.attemptLimit = 5;
+        VERIFY_DONE(assign(rig.school(), rig.otherInstructor, more, given));
+        QVERIFY(doubtOf(rig, others) == Doubt::Version);
         QCOMPARE(support::faultsOf(rig.school().db), QString());
     }
 
@@ -218,6 +225,11 @@ private slots:
         VERIFY_DONE(assignExam(rig, examOf(2), listAssignments(rig.school(), rig.instructor)->front()));
         QVERIFY(doubtOf(rig, early) == Doubt::None);
         QVERIFY(doubtOf(rig, add(rig, rig.student, workAt(examOf(1), 2))) == Doubt::Version);
+        const ClassAssignment stored = listAssignments(rig.school(), rig.instructor)->front();
+        ClassAssignment later = stored;
+        later.dueUtc = "2026-12-31T23:00:00Z";
+        VERIFY_DONE(assign(rig.school(), rig.instructor, later, stored));
+        QVERIFY(doubtOf(rig, early) == Doubt::None);
         // A lesson that is taken back is practice for everybody.
         VERIFY_DONE(unassign(rig.school(), rig.instructor, listAssignments(rig.school(), rig.instructor)->front()));
         QVERIFY(doubtOf(rig, add(rig, rig.student, workAt(examOf(5), 1))) == Doubt::None);
@@ -234,6 +246,9 @@ private slots:
         const AttemptId copied = add(rig, rig.classmate, work);
         QVERIFY(doubtOf(rig, copied) == Doubt::Recording);
         QCOMPARE(standingsOf(rig.school(), rig.classmate, rig.classmate.person())->front().bestTenths, 0);
+        // A check of the recording alone does not end that.
+        VERIFY_DONE(noteCheck(rig.school(), rig.instructor, copied, Doubt::None));
+        QVERIFY(doubtOf(rig, copied) == Doubt::Recording);
         QCOMPARE(support::faultsOf(rig.school().db), QString());
     }
 
