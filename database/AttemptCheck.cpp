@@ -13,6 +13,7 @@
 
 #include "core/recording/ExamNote.h"
 #include "core/recording/Recording.h"
+#include "lessons/ScoreSheetJson.h"
 
 namespace database {
 namespace {
@@ -29,6 +30,23 @@ bool isOfItsTooth(const core::recording::Recording& recording, const lessons::Le
     if (assigned && assigned->hash == lesson.hash)
         return lessons::isToothOf(*assigned, *recording.anatomy());
     return std::holds_alternative<lessons::Scan>(lesson.tooth) || lessons::isToothOf(lesson, *recording.anatomy());
+}
+
+std::vector<CriterionLoss> lossesOf(const lessons::ScoreSheet& sheet)
+{
+    std::vector<CriterionLoss> losses;
+    for (const lessons::Criterion& criterion : sheet.criteria)
+        losses.push_back({criterion.id, criterion.lostTenths, criterion.weightTenths});
+    return losses;
+}
+
+/// Returns whether the score sheet of an attempt, which is shown and printed, says the same as its record. Measured
+/// values are not compared: their last digits depend on the processor.
+bool hasItsSheet(const AttemptRecord& attempt)
+{
+    const auto sheet = lessons::sheetIn(attempt.scoreSheetJson);
+    return sheet && sheet->totalTenths == attempt.scoreTenths && sheet->passMarkTenths == attempt.passMarkTenths &&
+           sheet->rubricHash == attempt.rubricHash && lossesOf(*sheet) == attempt.criteria;
 }
 
 /// Returns whether the recording of an exam names a start of the person since which the work can have been done.
@@ -65,9 +83,7 @@ void setProven(AttemptRecord& attempt, const lessons::Assignment& assignment, co
     attempt.scoreTenths = sheet.totalTenths;
     attempt.passed = sheet.passed();
     attempt.passMarkTenths = sheet.passMarkTenths;
-    attempt.criteria.clear();
-    for (const lessons::Criterion& criterion : sheet.criteria)
-        attempt.criteria.push_back({criterion.id, criterion.lostTenths, criterion.weightTenths});
+    attempt.criteria = lossesOf(sheet);
     attempt.durationMs = std::llround(kMsPerS * process.totalS);
     attempt.stateHash = QStringLiteral("%1").arg(stateHash, 16, 16, QLatin1Char('0')).toStdString();
     attempt.meanForceMn = process.force ? static_cast<int>(std::lround(process.force->meanN * kMnPerN)) : 0;
@@ -96,7 +112,7 @@ Doubt checkAttempt(const AttemptRecord& attempt, const QByteArray& recording,
         return Doubt::Recording;
     AttemptRecord again = attempt;
     setProven(again, *assignment, marked->mark.sheet, marked->conduct, marked->outcome.stateHash);
-    if (again != attempt)
+    if (again != attempt || !hasItsSheet(attempt))
         return Doubt::Score;
     const bool isExam = assignment->lesson && assignment->lesson->exam;
     return !isExam || !starts || isBegun(attempt, *read, marked->conduct, *starts) ? Doubt::None : Doubt::Start;

@@ -18,6 +18,7 @@
 #include "lessons/Assignment.h"
 #include "lessons/LessonReader.h"
 #include "lessons/LessonVersion.h"
+#include "lessons/ScoreSheetJson.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/Files.h"
 #include "tests/support/Suite.h"
@@ -71,6 +72,7 @@ GradedWork workAt(const lessons::Lesson& lesson, std::size_t right = core::gradi
     const lessons::Remarked marked = lessons::markAgain(recording).value();
     GradedWork work{SchoolRig::attempt(lesson.id, 0), QByteArray::fromStdString(recording.toBytes())};
     setProven(work.attempt, assignment, marked.mark.sheet, marked.conduct, marked.outcome.stateHash);
+    work.attempt.scoreSheetJson = lessons::toJson(marked.mark.sheet).toStdString();
     return work;
 }
 
@@ -353,6 +355,11 @@ private slots:
         QVERIFY(forged([](AttemptRecord& one) { one.stateHash.front() = 'x'; }) == Doubt::Score);
         QVERIFY(forged([](AttemptRecord& one) { one.criteria.front().lostTenths = 1; }) == Doubt::Score);
         QVERIFY(forged([](AttemptRecord& one) { one.tooth = "37"; }) == Doubt::Score);
+        lessons::ScoreSheet sheet = lessons::sheetIn(work.attempt.scoreSheetJson).value();
+        sheet.totalTenths = 400;
+        const std::string shown = lessons::toJson(sheet).toStdString();
+        QVERIFY(forged([&](AttemptRecord& one) { one.scoreSheetJson = shown; }) == Doubt::Score);
+        QVERIFY(forged([](AttemptRecord& one) { one.scoreSheetJson = "{}"; }) == Doubt::Score);
         // What a student says of themselves is not proven by a recording.
         QVERIFY(forged([](AttemptRecord& one) { one.expectedTenths = 1; }) == Doubt::None);
     }
@@ -426,6 +433,7 @@ private slots:
         AttemptRecord attempt = SchoolRig::attempt("", 0);
         setProven(attempt, lessons::practiceOn(anatomy).value(), marked.mark.sheet, marked.conduct,
                   marked.outcome.stateHash);
+        attempt.scoreSheetJson = lessons::toJson(marked.mark.sheet).toStdString();
         QVERIFY(checkAttempt(attempt, bytes) == Doubt::None);
         attempt.scoreTenths = 1000;
         QVERIFY(checkAttempt(attempt, bytes) == Doubt::Score);
