@@ -20,8 +20,8 @@ public:
     /// they count from 1 again.
     static constexpr int kFreeFailures = 3;
     static constexpr std::chrono::seconds kLongestWait = std::chrono::minutes(15);
-    /// The same for the failures of a name on all stations together. The short wait slows down somebody who guesses with
-    /// many keys of stations, and does not keep the person out.
+    /// The same for the failures of a name on all stations together. The short wait slows down somebody who guesses
+    /// with many keys of stations, and does not keep the person out.
     static constexpr int kFreeFailuresAnywhere = 30;
     static constexpr std::chrono::seconds kLongestWaitAnywhere{8};
     /// If more names than this have failed logins, those that have not been tried for a day are removed.

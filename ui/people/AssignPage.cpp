@@ -306,6 +306,12 @@ QWidget* AssignPage::makeGiven()
     }
     feet->addLayout(buttons);
     column->addLayout(feet);
+    connectGiven();
+    return part;
+}
+
+void AssignPage::connectGiven()
+{
     connect(m_change, &QPushButton::clicked, this, [this] {
         QList<AssignmentChange> changes;
         for (const database::ClassAssignment& given : chosen()) {
@@ -336,7 +342,6 @@ QWidget* AssignPage::makeGiven()
             changes << AssignmentChange{given, {}};
         take(changes);
     });
-    return part;
 }
 
 /// Makes the bottom row: the last change, and the button that undoes it.

@@ -82,6 +82,7 @@ protected:
 private:
     QWidget* makeOffers();
     QWidget* makeGiven();
+    void connectGiven();
     QWidget* makeFeet();
     void retell();
     void beginAfresh();
