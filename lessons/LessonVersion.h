@@ -13,7 +13,7 @@
 /// of the lesson names the version, so a changed pack is recognised.
 namespace lessons {
 
-/// The facts of a stored version.
+/// Identifies a version of a lesson.
 struct LessonVersion
 {
     std::string id;
@@ -26,8 +26,8 @@ struct LessonVersion
 /// or is too large for a pack. Takes up to a second; any thread.
 [[nodiscard]] core::Result<QByteArray> packVersion(const Lesson& lesson);
 
-/// Returns the facts of a pack. BadStructure: it is no pack of one lesson, or one of its files has another hash than
-/// the lesson says.
+/// Returns which version a pack contains. BadStructure: it is no pack of one lesson, or the hash of a file differs from
+/// the one in the text of the lesson.
 [[nodiscard]] core::Result<LessonVersion> versionIn(const QByteArray& pack);
 
 /// Stores a pack in the user's cache. OutOfRange: it is of another version.

@@ -15,8 +15,9 @@
 
 namespace app {
 
-/// Marks the attempts of students again from their recordings, one after the other, while a teacher or an admin is
-/// logged in: the computer of a student may report any score. Pauses after each for as long as it took. Ui thread.
+/// Checks the attempts of students in the background while a teacher or an admin is logged in: marks the recording of
+/// each again and compares the result with the score that the student's computer reported (database/AttemptCheck.h).
+/// After each check it pauses for as long as the check took. Ui thread.
 class AttemptChecker final : public QObject
 {
     Q_OBJECT

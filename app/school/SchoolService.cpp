@@ -535,7 +535,7 @@ void SchoolService::deliverAll()
         if (m_undeliverable.contains(file) || m_forOthers.contains(file))
             continue;
         if (m_isChecking && !database::Outbox::isExam(file) && !m_graded.contains(QFileInfo(file).completeBaseName()))
-            continue;  // it is marked again after the others
+            continue;  // it waits until the attempt before it has been checked
         if (!connect())
             return;
         const auto letter = readLetter(letters, file);

@@ -217,7 +217,7 @@ private:
     /// have changed the files of others since they were graded.
     std::map<std::string, database::Doubt> m_checked;
     QSet<QString> m_graded;     ///< uids of the attempts that this program has graded
-    bool m_isChecking = false;  ///< an attempt is being marked again
+    bool m_isChecking = false;  ///< an attempt of an earlier run is being checked in the background
     bool m_isLost = false;      ///< the connection broke and must be made again
     bool m_isDamaged = false;   ///< the file was damaged when it was opened last
     bool m_isReadOnly = false;  ///< the file was read-only when it was opened last

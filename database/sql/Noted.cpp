@@ -103,7 +103,7 @@ private:
 
 bool Noted::mayDo(const std::string& actor, const std::string& action) const
 {
-    if (actor == "system")  // the first admin is entered by nobody
+    if (actor == "system")  // Cusp itself adds only the first admin
         return action != "person.add" || m_people.empty();
     const auto* const act =
         std::find_if(std::begin(kActs), std::end(kActs), [&](const Act& one) { return action == one.action; });
