@@ -359,6 +359,11 @@ core::Status readPath(const QString& file, Work& work)
         return core::unexpected(core::ErrorCode::OutOfRange,
                                 "The device path is too long for this rate: " + std::to_string(work.ticks()) +
                                     " ticks, at most 100 million are run.");
+    if (work.options.record && work.ticks() > core::recording::kEventsOfLongestAttempt)
+        return core::unexpected(core::ErrorCode::OutOfRange,
+                                "A recording of " + std::to_string(work.ticks()) +
+                                    " ticks would be longer than six hours at 1000 a second, the longest that Cusp "
+                                    "reads; leave out --record, or use a shorter path or a lower rate.");
     return {};
 }
 

@@ -9004,6 +9004,10 @@ ungesichert</translation>
         <source>This tooth has no ideal preparation.</source>
         <translation>Für diesen Zahn gibt es keine ideale Präparation.</translation>
     </message>
+    <message>
+        <source>This attempt has lasted six hours, the longest that Cusp records: cutting is disabled. Press G for the grade, or R for another attempt.</source>
+        <translation>Dieser Versuch dauert sechs Stunden, länger zeichnet Cusp keinen auf: Schneiden ist nicht mehr möglich. Drücken Sie G für die Bewertung oder R für einen weiteren Versuch.</translation>
+    </message>
 </context>
 <context>
     <name>ui::window::PracticeController</name>
@@ -10495,7 +10499,7 @@ ungesichert</translation>
     </message>
     <message>
         <source>The exam is over and cutting is disabled. Press G for the score or R for another attempt.</source>
-        <translation>Die Prüfung ist zu Ende, Schneiden ist nicht mehr möglich. Drücken Sie G für die Note oder R für einen neuen Versuch.</translation>
+        <translation>Die Prüfung ist zu Ende, Schneiden ist nicht mehr möglich. Drücken Sie G für die Note oder R für einen weiteren Versuch.</translation>
     </message>
     <message>
         <source>The exam is over and cutting is disabled. Press G for the score.</source>

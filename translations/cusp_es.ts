@@ -9004,6 +9004,10 @@ sin guardar</translation>
         <source>This tooth has no ideal preparation.</source>
         <translation>Este diente no tiene una preparación ideal.</translation>
     </message>
+    <message>
+        <source>This attempt has lasted six hours, the longest that Cusp records: cutting is disabled. Press G for the grade, or R for another attempt.</source>
+        <translation>Este intento dura seis horas, lo máximo que Cusp graba: ya no se puede cortar. Pulse G para la calificación o R para otro intento.</translation>
+    </message>
 </context>
 <context>
     <name>ui::window::PracticeController</name>

@@ -8950,6 +8950,10 @@ unsaved</source>
         <source>This tooth has no ideal preparation.</source>
         <translation>この歯には理想的な窩洞がありません。</translation>
     </message>
+    <message>
+        <source>This attempt has lasted six hours, the longest that Cusp records: cutting is disabled. Press G for the grade, or R for another attempt.</source>
+        <translation>この試行は、Cuspが記録できる最長の6時間に達しました。これ以上は切削できません。Gキーで採点するか、Rキーで新しい試行を始めてください。</translation>
+    </message>
 </context>
 <context>
     <name>ui::window::PracticeController</name>

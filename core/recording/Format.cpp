@@ -71,16 +71,25 @@ std::string pack(std::string_view raw)
 {
     std::string packed(ZSTD_compressBound(raw.size()), '\0');
     const std::size_t size = ZSTD_compress(packed.data(), packed.size(), raw.data(), raw.size(), kPackLevel);
-    packed.resize(size);  // with this much space, ZSTD_compress fails only if memory runs out
+    packed.resize(size);     // with this much space, ZSTD_compress fails only if memory runs out
+    packed.shrink_to_fit();  // a recording keeps thousands of these for hours
     return packed;
+}
+
+std::optional<std::uint64_t> unpackedSize(std::string_view packed)
+{
+    const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
+    if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN)
+        return std::nullopt;
+    return size;
 }
 
 std::optional<std::string> unpack(std::string_view packed, std::uint64_t mostBytes)
 {
-    const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
-    if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > mostBytes)
+    const auto size = unpackedSize(packed);
+    if (!size || *size > mostBytes)
         return std::nullopt;
-    std::string raw(static_cast<std::size_t>(size), '\0');
+    std::string raw(static_cast<std::size_t>(*size), '\0');
     const std::size_t got = ZSTD_decompress(raw.data(), raw.size(), packed.data(), packed.size());
     if (ZSTD_isError(got) != 0 || got != raw.size())
         return std::nullopt;

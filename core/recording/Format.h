@@ -26,6 +26,8 @@ inline constexpr std::size_t kChunkEvents = 4096;
 inline constexpr std::uint64_t kMaxToothBytes = std::uint64_t{64} * 1024 * 1024;
 /// Limit of settings, lesson and events, unpacked.
 inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{1} * 1024 * 1024;
+/// Limit of all events of a recording, unpacked. A step has 15 bytes, any other event has 23.
+inline constexpr std::uint64_t kMaxEventBytes = 16 * kMaxEvents;
 
 enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 4, Lesson = 5, Begun = 6 };
 
@@ -49,6 +51,8 @@ enum class Section : std::uint32_t { Settings = 1, Tooth = 2, Events = 3, End = 
 
 /// Compresses with Zstandard.
 [[nodiscard]] std::string pack(std::string_view raw);
+/// Returns the size that the data declare, without decompressing them. Empty if they are damaged or declare none.
+[[nodiscard]] std::optional<std::uint64_t> unpackedSize(std::string_view packed);
 /// Decompresses. Empty if the data are damaged or declare more than `mostBytes`.
 [[nodiscard]] std::optional<std::string> unpack(std::string_view packed, std::uint64_t mostBytes);
 

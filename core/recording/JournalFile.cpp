@@ -292,7 +292,7 @@ Result<FoundAttempt> attemptFrom(std::string_view bytes, const fs::path& path, J
     while (const auto frame = takeFrame(in)) {
         const auto raw = frame->kind == Section::Events ? unpack(frame->payload, kMaxChunkBytes) : std::nullopt;
         const auto events = raw ? eventsFrom(*raw) : std::nullopt;
-        if (!events || frame->first != found.recording.events())
+        if (!events || frame->first != found.recording.events() || frame->first + events->size() > kMaxEvents)
             break;
         bool sound = true;
         for (const ServoEvent& event : *events) {

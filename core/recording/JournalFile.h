@@ -93,8 +93,8 @@ struct FoundAttempt
 /// Returns the names of the journals in a folder, locked or not, newest first. Empty if the folder cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> journalsIn(const std::filesystem::path& folder);
 
-/// Reads a journal up to the first frame that is incomplete or damaged. Error, one sentence, if that is before the
-/// first event. @param path, lock  for FoundAttempt
+/// Reads a journal up to the first frame that is incomplete or damaged, at most kMaxEvents events. Error, one sentence,
+/// if that is before the first event. @param path, lock  for FoundAttempt
 [[nodiscard]] Result<FoundAttempt> attemptFrom(std::string_view bytes, const std::filesystem::path& path = {},
                                                JournalLock lock = {});
 

@@ -38,6 +38,12 @@ tl::unexpected<Error> damaged(std::string_view place)
                                                    ". Use a copy of the file, or make the attempt again.");
 }
 
+tl::unexpected<Error> tooLong()
+{
+    return unexpected(ErrorCode::FileTooLarge, "The recording is longer than six hours, the longest attempt that Cusp "
+                                               "records; it is not read.");
+}
+
 /// Checks that a recording begins here, in a version that this program can read.
 Status readHead(ByteReader& in)
 {
@@ -56,6 +62,43 @@ Status readHead(ByteReader& in)
                                                     ", from an older Cusp; this one reads from version " +
                                                     std::to_string(kOldestVersion) +
                                                     " on. Make the attempt again, or keep the Cusp that made it.");
+    return {};
+}
+
+/// A section as it is stored.
+struct StoredSection
+{
+    std::uint32_t kind = 0;
+    std::uint64_t checksum = 0;
+    std::string_view payload;
+};
+
+/// Returns the next section; empty if no complete one is left.
+std::optional<StoredSection> takeSection(ByteReader& in)
+{
+    StoredSection section;
+    section.kind = in.take<std::uint32_t>();
+    const auto size = in.take<std::uint64_t>();
+    section.checksum = in.take<std::uint64_t>();
+    if (!in.ok() || size > in.left())
+        return std::nullopt;
+    section.payload = in.takeBytes(static_cast<std::size_t>(size));
+    return section;
+}
+
+/// Checks, without unpacking it, that a recording is no longer than one can be: a few kilobytes unpack to years.
+/// @param in  behind the head of the recording
+Status checkLength(ByteReader in)
+{
+    std::uint64_t unpackedBytes = 0;
+    while (const auto section = takeSection(in)) {
+        // A section that declares more than one can have is damaged, which readEvents() reports.
+        const std::uint64_t bytes = unpackedSize(section->payload).value_or(0);
+        if (static_cast<Section>(section->kind) == Section::Events && bytes <= kMaxChunkBytes)
+            unpackedBytes += bytes;
+        if (unpackedBytes > kMaxEventBytes)
+            return tooLong();
+    }
     return {};
 }
 
@@ -138,6 +181,8 @@ private:
         const auto events = raw ? eventsFrom(*raw) : std::nullopt;
         if (!events || !m_recording)
             return damaged("in its events");
+        if (m_recording->events() + events->size() > kMaxEvents)
+            return tooLong();
         for (const ServoEvent& event : *events) {
             switch (m_guard.look(event, *m_recording)) {
             case EventGuard::Verdict::Sound:
@@ -176,7 +221,7 @@ Recording::Recording(servo::ServoSettings settings, std::shared_ptr<const terrai
 
 void Recording::append(const ServoEvent& event)
 {
-    assert(m_tail.size() < kChunkEvents);
+    assert(events() < kMaxEvents);
     m_tail.push_back(event);
     m_isRetuned = m_isRetuned || event.kind == ServoEvent::Kind::Number;
     m_version = std::max(m_version, versionWith(event));
@@ -186,6 +231,11 @@ void Recording::append(const ServoEvent& event)
     }
     if (m_tail.size() == kChunkEvents)
         packTail();
+}
+
+bool Recording::isFull() const
+{
+    return m_duration >= kLongestAttempt || events() >= kEventsOfLongestAttempt;
 }
 
 void Recording::packTail()
@@ -269,19 +319,15 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
     ByteReader in(bytes);
     if (const Status head = readHead(in); !head)
         return tl::unexpected(head.error());
+    if (const Status length = checkLength(in); !length)
+        return tl::unexpected(length.error());
     SectionReader sections;
-    while (in.ok()) {
-        const auto kind = in.take<std::uint32_t>();
-        const auto size = in.take<std::uint64_t>();
-        const auto checksum = in.take<std::uint64_t>();
-        if (!in.ok() || size > in.left())
-            break;
-        const std::string_view payload = in.takeBytes(static_cast<std::size_t>(size));
-        if (fnv1a(payload) != checksum)
-            return damaged("in section " + std::to_string(kind));
-        if (static_cast<Section>(kind) == Section::End)
-            return sections.readEnd(payload, in.left());
-        if (const Status read = sections.read(static_cast<Section>(kind), payload); !read)
+    while (const auto section = takeSection(in)) {
+        if (fnv1a(section->payload) != section->checksum)
+            return damaged("in section " + std::to_string(section->kind));
+        if (static_cast<Section>(section->kind) == Section::End)
+            return sections.readEnd(section->payload, in.left());
+        if (const Status read = sections.read(static_cast<Section>(section->kind), section->payload); !read)
             return tl::unexpected(read.error());
     }
     return unexpected(ErrorCode::FileTruncated,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -23,6 +25,13 @@ struct Witness
     bool operator==(const Witness&) const = default;
 };
 
+/// The longest attempt that can be recorded. After that, nothing more is cut: see Recording::isFull().
+inline constexpr std::chrono::hours kLongestAttempt{6};
+/// The number of events of that time at 1 kHz. A recording with this many is full, too.
+inline constexpr std::uint64_t kEventsOfLongestAttempt = 21'600'000;
+/// Largest number of events of a recording. It leaves room for the events that arrive until the attempt has ended.
+inline constexpr std::uint64_t kMaxEvents = 22'000'000;
+
 /// The longest lesson text that a recording stores.
 inline constexpr std::size_t kMaxLessonBytes = std::size_t{1} * 1024 * 1024;
 /// Checks whether a recording can store this text: UTF-8, not too long; may be empty.
@@ -40,7 +49,10 @@ public:
     Recording(servo::ServoSettings settings, std::shared_ptr<const terrain::ToothAnatomy> anatomy,
               std::string lesson = {});
 
+    /// Appends an event. The recording must have fewer than kMaxEvents.
     void append(const servo::ServoEvent& event);
+    /// Returns whether the attempt must end, because it is as long as a recording may be.
+    [[nodiscard]] bool isFull() const;
     /// Stores the state of the tooth after a tick, in place of an earlier witness.
     void setWitness(const Witness& witness) { m_witness = witness; }
 
@@ -66,6 +78,7 @@ public:
     /// Returns the bytes of the file.
     [[nodiscard]] std::string toBytes() const;
     /// Reads and checks the bytes of a file; the error says what is wrong and where. Memory is bounded by fixed limits.
+    /// FileTooLarge: more than kMaxEvents, which is determined before any event is unpacked.
     [[nodiscard]] static Result<Recording> fromBytes(std::string_view bytes);
 
 private:

@@ -82,6 +82,7 @@ struct SessionState
     double pulpExposedMm2 = 0.0;        ///< area of opened pulp, seen from above, after undo
     bool perforated = false;            ///< there is a hole through the tooth, after undo
     double recordedS = 0.0;
+    bool isFull = false;  ///< the attempt is as long as a recording may be, so it must end
 };
 
 /// The channels between the ui and the loops. The application owns them and passes references.

@@ -77,9 +77,16 @@ void SessionLoop::takeEvents()
             continue;
         }
         m_attemptTime += std::chrono::microseconds(event.dtUs);
-        if (m_recording)
-            m_recording->append(event);
+        keep(event);
     }
+}
+
+/// Records an event. A full recording ends here: SessionState::isFull told the window to end the attempt long before.
+/// The caller holds the mutex.
+void SessionLoop::keep(const servo::ServoEvent& event)
+{
+    if (m_recording && m_recording->events() < recording::kMaxEvents)
+        m_recording->append(event);
 }
 
 void SessionLoop::takePatches()
@@ -244,8 +251,8 @@ void SessionLoop::note(const servo::ServoEvent& event)
 {
     if (m_recordedGeneration != m_generation)
         m_noted.push_back(event);
-    else if (m_recording)
-        m_recording->append(event);
+    else
+        keep(event);
 }
 
 void SessionLoop::apply(const servo::SetBur& bur)
@@ -321,6 +328,7 @@ void SessionLoop::publish()
         out.perforated = removed.perforated;
     }
     const bool isRecorded = m_recording && m_recordedGeneration == m_generation;
+    out.isFull = isRecorded && m_recording->isFull();
     out.recordedS = isRecorded ? std::chrono::duration<double>(m_recording->duration()).count() : 0.0;
     m_ui.session.publish();
 }

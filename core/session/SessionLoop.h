@@ -86,6 +86,7 @@ private:
     void apply(const SetAids& aids);
     void apply(const AddNote& note);
     void note(const servo::ServoEvent& event);
+    void keep(const servo::ServoEvent& event);
     void take(ResumableAttempt attempt, std::uint64_t generation, bool resumed,
               std::unique_ptr<servo::ServoTick> servo);
     void apply(const servo::SetBur& bur);

@@ -39,7 +39,7 @@ private slots:
         QVERIFY(m_actions.drill->isEnabled() && m_actions.grade->isEnabled());
         QVERIFY(!m_actions.undo->isEnabled() && !m_actions.reload->isEnabled() && !m_actions.history->isEnabled());
         QVERIFY(!m_actions.saveRecording->isEnabled());
-        m_state.isExamOver = true;
+        m_state.isOver = true;
         enable();
         QVERIFY(!m_actions.drill->isEnabled() && m_actions.reload->isEnabled());
         m_state.isUsedUp = true;

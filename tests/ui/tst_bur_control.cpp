@@ -96,13 +96,13 @@ private slots:
     {
         m_rig->control.setInRoom(false, false);
         m_rig->answer();
-        m_rig->state.isExamOver = true;
+        m_rig->state.isOver = true;
         m_rig->control.stopAtEnd();
         m_rig->answer();
         m_rig->control.setInRoom(true, false);
         QCOMPARE(m_rig->answer(), QList<bool>());
         // The next attempt begins like this one.
-        m_rig->state.isExamOver = false;
+        m_rig->state.isOver = false;
         m_rig->control.beginTask(Task::CutIdeal);
         QCOMPARE(m_rig->answer(), QList<bool>{true});
     }

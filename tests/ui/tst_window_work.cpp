@@ -333,6 +333,35 @@ private slots:
         QVERIFY(mayCut() && actions().undo->isEnabled() && actions().reload->isEnabled());
     }
 
+    /// A program may be left open for a day. What was cut until then can be graded, and another attempt can begin.
+    void anAttemptEndsWhenItIsAsLongAsARecordingMayBe()
+    {
+        constexpr double kSixHoursS = 6.0 * 60.0 * 60.0;
+        QSignalSpy again(&m_window->lessonController(), &ui::window::LessonController::attemptAgainRequested);
+        for (const bool isLesson : {true, false}) {
+            lessons::Assignment lesson = assigned("class1-36");
+            lesson.lesson->minutes = 0.0;
+            beginLesson(isLesson ? lesson : lessons::practiceOn(support::syntheticMolar()).value());
+            record(kSixHoursS, 0.5, true);
+            QVERIFY(actions().drill->isEnabled());
+            static_cast<void>(sent());
+            record(kSixHoursS + 1.0, 0.5, true, true);
+            QCOMPARE(drillSent(), QList<bool>{false});
+            QVERIFY(!actions().drill->isEnabled() && actions().grade->isEnabled() && actions().undo->isEnabled());
+            QVERIFY2(message().contains("six hours"), qPrintable(message()));
+            const auto before = again.count();
+            actions().reload->trigger();
+            click("questionDiscard");
+            QCOMPARE(again.count(), before + 1);
+        }
+        beginLesson(support::exam());
+        QSignalSpy grade(m_window.get(), &MainWindow::gradeRequested);
+        record(60.0, 0.5, true, true);
+        QCOMPARE(grade.count(), 1);
+        record(61.0, 0.5, true, true);
+        QCOMPARE(grade.count(), 1);
+    }
+
     /// The neighbouring tooth that is to be spared is there to be seen, whatever was chosen before. The choice stays.
     void aWatchedNeighbourIsShown()
     {
@@ -796,9 +825,10 @@ private:
         QTRY_COMPARE(actions().drill->isChecked(), on);
     }
     /// The attempt has been recorded for so long, and so much enamel is gone.
-    void record(double seconds, double enamelMm3 = 0.0, bool drillOn = false) const
+    void record(double seconds, double enamelMm3 = 0.0, bool drillOn = false, bool isFull = false) const
     {
         SessionState session;
+        session.isFull = isFull;
         session.toothGeneration = m_generation;
         session.recordedS = seconds;
         session.removedMm3[1] = enamelMm3;

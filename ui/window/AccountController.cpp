@@ -62,7 +62,7 @@ QString AccountController::absentUser() const
 void AccountController::ask(LoginMode mode)
 {
     closeAllOver();
-    m_login.setLockedBy(QString::fromStdString(m_user.username()), m_state.isExamRunning() && !m_state.isExamOver);
+    m_login.setLockedBy(QString::fromStdString(m_user.username()), m_state.isExamRunning() && !m_state.isOver);
     m_login.offerToKeep({});
     m_login.ask(mode);
     m_navigation.openLogin();

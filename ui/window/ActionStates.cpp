@@ -22,7 +22,7 @@ struct Conditions
 Conditions conditionsOf(const PracticeState& state, const WindowFacts& facts)
 {
     const bool isMine = state.tooth != nullptr && !facts.isBusy && !state.isReplaying;
-    return {isMine, isMine && !state.isExamOver, isMine && !state.isExam()};
+    return {isMine, isMine && !state.isOver, isMine && !state.isExam()};
 }
 
 void enableHand(Actions& actions, const WindowFacts& facts, const Conditions& are)
@@ -68,7 +68,7 @@ void enableWork(Actions& actions, const PracticeState& state, const WindowFacts&
     actions.undo->setEnabled(facts.isInEditor ? facts.canEditorUndo : mayStep && state.session.undoSteps > 0);
     actions.redo->setEnabled(facts.isInEditor ? facts.canEditorRedo : mayStep && state.session.redoSteps > 0);
     actions.saveReference->setEnabled(facts.isInRoom && are.isMine && !state.isExamRunning());
-    actions.reload->setEnabled((are.mayGoBack || (are.isMine && state.isExamOver)) && !state.isUsedUp);
+    actions.reload->setEnabled((are.mayGoBack || (are.isMine && state.isOver)) && !state.isUsedUp);
     actions.grade->setEnabled(facts.isInRoom && state.tooth != nullptr && !facts.isBusy &&
                               (!facts.isTrial || state.isReplaying) && !state.isExamRefused);
     actions.saveRecording->setEnabled((are.isMine && !state.isExamRunning()) || facts.isInEditor);

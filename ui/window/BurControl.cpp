@@ -102,7 +102,7 @@ void BurControl::setInRoom(bool isInRoom, bool isBreachShown)
     if (!isInRoom && m_actions.drill->isChecked() && m_state.tooth != nullptr && !m_state.isReplaying) {
         m_pausedOnPage = true;
         setDrill(false);
-    } else if (isInRoom && std::exchange(m_pausedOnPage, false) && !m_state.isExamOver) {
+    } else if (isInRoom && std::exchange(m_pausedOnPage, false) && !m_state.isOver) {
         if (isBreachShown)
             m_stoppedForBreach = true;
         else

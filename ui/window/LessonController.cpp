@@ -44,7 +44,7 @@ void LessonController::begin(const lessons::Assignment& assignment)
     const bool isRepeated = m_state.assignment && lessons::isSameLesson(*m_state.assignment, assignment);
     m_state.assignment = assignment;
     m_state.isGraded = false;
-    m_state.isExamOver = false;
+    m_state.isOver = false;
     m_state.isExamRefused = false;
     m_clock.begin(assignment.lesson ? assignment.lesson->minutes * kSecondsPerMinute : 0.0);
     m_messages.withdraw(MessageBar::Topic::Lesson);
@@ -127,6 +127,8 @@ void LessonController::follow()
     // Free practice continues after its grade.
     const bool isOver = m_state.isGraded && m_state.assignment->lesson;
     const bool isWorking = !isOver && (m_state.isExam() || m_navigation.isInRoom());
+    if (m_state.session.isFull && m_state.session.toothGeneration == m_state.ownGeneration && !m_state.isOver)
+        endAtLimit();
     const bool isTimeOver = m_clock.advance(isWorking);
     if (isWorking)
         m_room.lesson().setTime(m_clock.workedS());
@@ -158,11 +160,32 @@ void LessonController::endTime()
     emit gradeRequested();
 }
 
+/// Ends an attempt that is as long as a recording may be, such as that of a program that was left open for a day.
+void LessonController::endAtLimit()
+{
+    if (m_state.isExam()) {
+        endTime();
+        return;
+    }
+    m_state.isOver = true;
+    m_bur.stopAtEnd();
+    m_messages.say([] {
+        return MessageBar::Message{MessageBar::Kind::Warning,
+                                   tr("This attempt has lasted six hours, the longest that Cusp records: cutting is "
+                                      "disabled. Press G for the grade, or R for another attempt."),
+                                   {},
+                                   {},
+                                   {},
+                                   MessageBar::Topic::Tooth};
+    });
+    emit changed();
+}
+
 void LessonController::endExam()
 {
     if (!m_state.isExam())
         return;
-    m_state.isExamOver = true;
+    m_state.isOver = true;
     m_clock.stop();
     m_room.lesson().conclude(m_state.isExamRefused ? practice::LessonStrip::Ending::Refused
                                                    : practice::LessonStrip::Ending::WithScore);
@@ -183,12 +206,12 @@ void LessonController::startAgain(CommandSender& commands, UnsavedWork& unsaved)
 {
     const bool isExercise = m_exercise.isShown();
     const bool hasWork = isExercise || m_state.ownWork() != core::terrain::PerMaterial{};
-    if (m_state.isExamOver && !m_state.isGraded && hasWork) {
+    if (m_state.isExam() && m_state.isOver && !m_state.isGraded && hasWork) {
         emit roomRequested();
         say(tr("This exam is over but not graded yet. Press G to grade it."));
     } else if (isExercise || m_state.isExam()) {
         m_lessons.begin(*m_state.assignment->lesson, [this] { emit attemptAgainRequested(); });
-    } else if (m_state.isGraded) {
+    } else if (m_state.isGraded || m_state.isOver) {
         unsaved.leaveWork([this] { emit attemptAgainRequested(); });
     } else {
         emit roomRequested();

@@ -72,6 +72,7 @@ signals:
 
 private:
     void endTime();
+    void endAtLimit();
     void say(const QString& sentence);
 
     PracticeState& m_state;

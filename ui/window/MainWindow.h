@@ -146,7 +146,7 @@ public:
     /// Returns whether the operation announced by showBusy() is running.
     [[nodiscard]] bool isBusy() const;
     [[nodiscard]] bool isExamRunning() const { return m_state.isExamRunning(); }
-    [[nodiscard]] bool isExamOver() const { return m_state.isExamOver; }
+    [[nodiscard]] bool isExamOver() const { return m_state.isExam() && m_state.isOver; }
     [[nodiscard]] bool isReplaying() const { return m_state.isReplaying; }
     /// Shows the states of other channels: those of a replay, or the own ones again. Commands still go to the own ones.
     /// @param channels  must outlive the window

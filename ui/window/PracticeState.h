@@ -28,9 +28,9 @@ struct PracticeState
     std::optional<lessons::Assignment> assignment;  ///< assignment of the student's tooth
     lessons::Aids aids;                             ///< aids that the lesson allows
     bool isGraded = false;                          ///< the student's attempt has a score
-    bool isExamOver = false;                        ///< cutting is disabled
-    bool isExamRefused = false;                     ///< the exam does not count: another attempt was begun elsewhere
-    bool isUsedUp = false;                          ///< the student has no attempt left
+    bool isOver = false;         ///< cutting is disabled: the exam has ended, or the attempt is as long as one may be
+    bool isExamRefused = false;  ///< the exam does not count: another attempt was begun elsewhere
+    bool isUsedUp = false;       ///< the student has no attempt left
 
     bool isReplaying = false;
     std::optional<lessons::Lesson> replayedLesson;  ///< lesson of the recording; unset: free practice

@@ -471,6 +471,37 @@ private slots:
         QVERIFY(support::isRefused(read, "undo steps"));
     }
 
+    /// A few hundred kilobytes that unpack to days: they are refused before they are unpacked.
+    void refusesMoreThanSixHours()
+    {
+        constexpr std::size_t kEvents = 3;  // number of the section
+        const ServoEvent tick{ServoEvent::Kind::Tick, 1000, {0.0F, 0.0F, 5.0F}, 0};
+        const std::string made = recordingOf(std::vector(recording::kChunkEvents, tick)).toBytes();
+        const std::size_t end = made.size() - section(4, std::string(25, '\0')).size();
+        const std::string chunk =
+            section(kEvents, zstd(recording::eventBytes(std::vector(recording::kChunkEvents, tick))));
+        std::string bytes = made.substr(0, end);
+        for (std::uint64_t events = 0; events < 2 * recording::kMaxEvents; events += recording::kChunkEvents)
+            bytes += chunk;
+        QVERIFY(bytes.size() < 1024 * 1024);
+        QVERIFY(support::isRefused(Recording::fromBytes(bytes + made.substr(end)), ErrorCode::FileTooLarge));
+        QVERIFY(support::isRefused(Recording::fromBytes(bytes), "six hours"));
+        QVERIFY(Recording::fromBytes(made));
+    }
+
+    void isFullAfterSixHours()
+    {
+        constexpr std::uint16_t kStepUs = 60'000;
+        constexpr int kSteps = 6 * 60 * 60 * 1000 / 60;
+        Recording made({}, support::smallBlock());
+        for (int n = 0; n < kSteps; ++n) {
+            QVERIFY(!made.isFull());
+            made.append({ServoEvent::Kind::Tick, kStepUs, {0.0F, 0.0F, 5.0F}, 0});
+        }
+        QVERIFY(made.isFull());
+        QVERIFY(Recording::fromBytes(made.toBytes())->isFull());
+    }
+
     void refusesImpossibleTooth_data()
     {
         QTest::addColumn<Spoil>("spoil");

@@ -439,6 +439,21 @@ private slots:
         QCOMPARE(state(other).undoSteps, 6);
     }
 
+    /// Then the window ends it. A program may be left open for a day.
+    void anAttemptIsFullAfterSixHours()
+    {
+        constexpr std::chrono::milliseconds kStep(60);
+        Drilling rig;
+        stroke(rig, 0.0);
+        QVERIFY(!state(rig).isFull);
+        rig.run(static_cast<int>(recording::kLongestAttempt / kStep), kStep);
+        rig.settle();
+        QVERIFY(state(rig).isFull);
+        rig.open(support::smallBlock(), 2);
+        rig.settle();
+        QVERIFY(!state(rig).isFull);
+    }
+
     void lessonAidsAndNotesGoOnTheRecording()
     {
         support::Rig rig;
