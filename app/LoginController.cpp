@@ -232,7 +232,9 @@ void LoginController::enter(const database::Login& who)
     // Work of a guest belongs to nobody, unless they log in to save its grade.
     const bool keeps =
         std::exchange(m_keepsOnLogin, false) && m_context.window.account().keepsOnLogin() && m_grading.isGuests();
-    if (!keeps && m_context.attempt.hasTooth())
+    if (keeps)
+        m_attempts.notePerson();
+    else if (m_context.attempt.hasTooth())
         m_attempts.beginWholeTooth();
     m_context.window.setWho(who);
     updateMayEdit();

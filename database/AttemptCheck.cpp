@@ -6,12 +6,11 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <variant>
 
 #include <QDateTime>
 
-#include "core/recording/ExamNote.h"
+#include "core/recording/OriginNotes.h"
 #include "core/recording/Recording.h"
 #include "lessons/ScoreSheetJson.h"
 
@@ -49,15 +48,29 @@ bool hasItsSheet(const AttemptRecord& attempt)
            sheet->rubricHash == attempt.rubricHash && lossesOf(*sheet) == attempt.criteria;
 }
 
+/// Returns the notes of a recording that a condition holds for.
+std::set<std::uint64_t> notesIn(const core::recording::Recording& recording, bool (*isWanted)(std::uint64_t))
+{
+    std::set<std::uint64_t> notes;
+    recording.forEach([&](const core::servo::ServoEvent& event) {
+        if (event.kind == core::servo::ServoEvent::Kind::Note && isWanted(event.value))
+            notes.insert(event.value);
+    });
+    return notes;
+}
+
+/// Returns whether a recording names its person, and nobody else. That of a guest or of the simulated hand names none.
+bool isOfItsPerson(const core::recording::Recording& recording, const std::string& personUid)
+{
+    return personUid.empty() ||
+           notesIn(recording, core::recording::isPersonNote) == std::set{core::recording::personNote(personUid)};
+}
+
 /// Returns whether the recording of an exam names a start of the person since which the work can have been done.
 bool isBegun(const AttemptRecord& attempt, const core::recording::Recording& recording, const lessons::Conduct& conduct,
              const std::vector<ExamStart>& starts)
 {
-    std::set<std::uint64_t> named;
-    recording.forEach([&](const auto& event) {
-        if (event.kind == std::decay_t<decltype(event)>::Kind::Note && core::recording::isExamNote(event.value))
-            named.insert(event.value);
-    });
+    const std::set<std::uint64_t> named = notesIn(recording, core::recording::isExamNote);
     const QDateTime finished = QDateTime::fromString(QString::fromStdString(attempt.finishedUtc), Qt::ISODate);
     const auto& process = conduct.process;
     const double workedS = process.firstCutS ? process.totalS - *process.firstCutS : 0.0;
@@ -97,7 +110,7 @@ Doubt checkAttempt(const AttemptRecord& attempt, const QByteArray& recording,
         std::string_view(recording.constData(), static_cast<std::size_t>(recording.size())));
     const auto assignment = read ? lessons::assignmentOf(read->anatomy(), read->lesson())
                                  : core::Result<lessons::Assignment>(tl::unexpected(read.error()));
-    if (!assignment)
+    if (!assignment || !isOfItsPerson(*read, attempt.personUid))
         return Doubt::Recording;
     if (const std::optional<lessons::Lesson>& lesson = assignment->lesson) {
         if (lesson->hash != attempt.lessonHash || !isOfItsTooth(*read, *lesson, assigned))

@@ -11,7 +11,7 @@ namespace database {
 enum class Doubt : std::uint8_t {
     None,       ///< it counts
     Version,    ///< it was made with another version of the lesson than those that were assigned: it is practice
-    Recording,  ///< it has no recording, or one that is damaged or of another lesson, tooth or attempt
+    Recording,  ///< it has no recording, or one that is damaged or of another lesson, tooth, attempt or person
     Score,      ///< its recording, marked again, gives another result
     Start,      ///< the school has no start of the exam that fits the recording
 };

@@ -17,6 +17,7 @@
 #include "core/guidance/Fixture.h"
 #include "core/history/MomentId.h"
 #include "core/preparation/CapturedIdeal.h"
+#include "core/recording/OriginNotes.h"
 #include "core/settings/StabilityBound.h"
 #include "core/teeth/Block.h"
 #include "ui/kit/Actions.h"
@@ -301,6 +302,14 @@ void AttemptController::begin(const lessons::Assignment& assignment, const std::
     m_context.window.send(core::session::ReplaceTooth{
         std::make_unique<core::terrain::Tooth>(m_context.attempt.assignment().anatomy), m_context.attempt.generation(),
         m_context.attempt.assignment().lesson ? m_context.attempt.assignment().lesson->json : "", std::move(*servo)});
+    notePerson();
+}
+
+void AttemptController::notePerson()
+{
+    const database::Login& user = m_context.school.user;
+    if (!user.isGuest() && !m_context.devices.isSimulated())
+        m_context.window.send(core::session::AddNote{core::recording::personNote(user.uid())});
 }
 
 bool AttemptController::canLoad()

@@ -8,7 +8,7 @@
 
 #include "core/grading/Exercise.h"
 #include "core/history/MomentId.h"
-#include "core/recording/ExamNote.h"
+#include "core/recording/OriginNotes.h"
 #include "database/Passwords.h"
 #include "ui/tooth/ToothView.h"
 

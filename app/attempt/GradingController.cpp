@@ -11,6 +11,7 @@
 #include "app/attempt/ResumableAttempts.h"
 #include "app/school/SchoolAccess.h"
 #include "core/grading/Exercise.h"
+#include "core/recording/OriginNotes.h"
 #include "core/servo/ServoState.h"
 #include "database/AttemptCheck.h"
 #include "database/Passwords.h"
@@ -324,6 +325,9 @@ void GradingController::saveGuestsGrade()
 {
     m_graded->keeping = Keeping::Pending;
     updateKeeping();
+    // It was nobody's until now.
+    m_graded->recording.append({core::servo::ServoEvent::Kind::Note, 0, glm::vec3(0.0F),
+                                core::recording::personNote(m_context.school.user.uid())});
     m_context.school.service->ask(
         this,
         [who = m_context.school.user, lesson = m_graded->record.lessonId](const database::Repositories& school) {

@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "core/recording/ExamNote.h"
+#include "core/recording/OriginNotes.h"
 #include "lessons/Assignment.h"
 
 namespace app {
@@ -32,7 +32,7 @@ std::uint64_t patchAfter(std::uint64_t tick)
 bool isSilent(std::uint64_t note)
 {
     return note == core::servo::kRestNote || note == core::servo::kWorkNote || core::recording::isExamNote(note) ||
-           core::session::sightOf(note);
+           core::recording::isPersonNote(note) || core::session::sightOf(note);
 }
 
 /// The events in words of a time line. A bur that is taken again and aids that stay the same are no news.

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/recording/ExamNote.h"
+#include "core/recording/OriginNotes.h"
 #include "core/recording/Recording.h"
 #include "database/AttemptCheck.h"
 #include "database/sql/Copy.h"
@@ -258,8 +258,9 @@ private slots:
     void aCheckEndsInADoubtOrNot()
     {
         COPY_OF(support::populatedSchool, rig);
-        const AttemptId sound = add(rig, rig.student, workAt(examOf(3)));
-        GradedWork forged = workAt(examOf(3), 0);
+        const std::uint64_t students = core::recording::personNote(rig.student.uid());
+        const AttemptId sound = add(rig, rig.student, workAt(examOf(3), core::grading::kPads, 7, students));
+        GradedWork forged = workAt(examOf(3), 0, 7, core::recording::personNote(rig.classmate.uid()));
         forged.attempt.scoreTenths = 1000;
         forged.attempt.passed = true;
         const AttemptId id = add(rig, rig.classmate, forged);
@@ -394,6 +395,28 @@ private slots:
         easy.lessonId = decay.id;
         easy.lessonHash = decay.hash;
         QVERIFY(checkAttempt(easy, QByteArray::fromStdString(done.toBytes())) == Doubt::Recording);
+    }
+
+    /// That of somebody else, of a guest or of the simulated hand is not taken for one's own.
+    void theRecordingIsOfThePerson()
+    {
+        const lessons::Lesson exam = examOf(3);
+        const std::string own = "0123456789ab" + std::string(20, 'c');
+        const std::string others = "1123456789ab" + std::string(20, 'c');
+        const auto check = [&](std::uint64_t note) {
+            GradedWork work = workAt(exam, core::grading::kPads, 7, note);
+            work.attempt.personUid = own;
+            return checkAttempt(work.attempt, work.recording);
+        };
+        QVERIFY(check(core::recording::personNote(own)) == Doubt::None);
+        QVERIFY(check(core::recording::personNote(others)) == Doubt::Recording);
+        QVERIFY(check(core::servo::kWorkNote) == Doubt::Recording);
+        // The own note behind that of somebody else changes nothing.
+        GradedWork taken = workAt(exam, core::grading::kPads, 7, core::recording::personNote(others));
+        auto recording = core::recording::Recording::fromBytes(taken.recording.toStdString()).value();
+        recording.append({core::servo::ServoEvent::Kind::Note, 0, glm::vec3(0.0F), core::recording::personNote(own)});
+        taken.attempt.personUid = own;
+        QVERIFY(checkAttempt(taken.attempt, QByteArray::fromStdString(recording.toBytes())) == Doubt::Recording);
     }
 
     /// A recording that was made without the school, or in less time than it says, is no exam.
