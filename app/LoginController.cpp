@@ -16,6 +16,7 @@
 
 namespace app {
 
+using database::Secret;
 using ui::window::MainWindow;
 
 LoginController::LoginController(const AttemptContext& context, const Others& others,
@@ -82,8 +83,9 @@ void LoginController::changePassword(const QString& old, const QString& password
 {
     m_school.service->ask(
         this,
-        [who = m_school.user, old = old.toStdString(), next = password.toStdString()](
-            const database::Repositories& school) { return school.logins.changePassword(who, old, next); },
+        [who = m_school.user, old = Secret(old), next = Secret(password)](const database::Repositories& school) {
+            return school.logins.changePassword(who, old.text(), next.text());
+        },
         [this](const core::Status& done) {
             if (!done) {
                 m_context.window.account().refuse(done.error());
@@ -100,9 +102,10 @@ void LoginController::connectWindow()
     using ui::window::MainWindow;
     connect(&m_context.window.loginPage(), &ui::people::LoginPage::loginRequested, this,
             [this](const QString& name, const QString& password) {
-                ask([name = name.toStdString(), password = password.toStdString()](
-                        const database::Repositories& school) { return school.logins.login(name, password); },
-                    [this, isOwner = name.toStdString() == m_school.user.username(), password](const core::Error& why) {
+                ask([name = name.toStdString(), password = Secret(password)](
+                        const database::Repositories& school) { return school.logins.login(name, password.text()); },
+                    [this, isOwner = name.toStdString() == m_school.user.username(),
+                     password = Secret(password)](const core::Error& why) {
                         if (isOwner && isUnreachable(why.code))
                             unlockOffline(password, why);
                         else
@@ -111,14 +114,16 @@ void LoginController::connectWindow()
             });
     connect(&m_context.window.loginPage(), &ui::people::LoginPage::codeRequested, this,
             [this](const QString& name, const QString& code, const QString& password) {
-                ask([name = name.toStdString(), code = code.toStdString(), password = password.toStdString()](
-                        const database::Repositories& school) { return school.logins.redeem(name, code, password); });
+                ask([name = name.toStdString(), code = Secret(code),
+                     password = Secret(password)](const database::Repositories& school) {
+                    return school.logins.redeem(name, code.text(), password.text());
+                });
             });
     connect(&m_context.window.loginPage(), &ui::people::LoginPage::schoolRequested, this,
             [this](const database::NewPerson& admin, const QString& password) {
                 ask(
-                    [admin, password = password.toStdString()](const database::Repositories& school) {
-                        return school.logins.createFirstAdmin(admin, password);
+                    [admin, password = Secret(password)](const database::Repositories& school) {
+                        return school.logins.createFirstAdmin(admin, password.text());
                     },
                     [this](const core::Error& why) {
                         if (why.code == core::ErrorCode::NotAllowed) {  // another computer was faster
@@ -188,7 +193,7 @@ void LoginController::readOwnHash()
 
 /// Lets the user who locked the window return to their work while the database cannot be reached.
 /// @param why  it cannot be reached
-void LoginController::unlockOffline(const QString& password, const core::Error& why)
+void LoginController::unlockOffline(const database::Secret& password, const core::Error& why)
 {
     if (!m_unlock.isPossible()) {
         m_data.refuseLogin(why);
@@ -199,7 +204,7 @@ void LoginController::unlockOffline(const QString& password, const core::Error& 
         return;
     }
     inBackground(
-        this, [password = password.toStdString(), hash = m_unlock.hash()] { return database::fits(password, hash); },
+        this, [password, hash = m_unlock.hash()] { return database::fits(password.text(), hash); },
         [this, who = m_school.user](const core::Result<bool>& fits) {
             if (m_school.user != who)
                 return;

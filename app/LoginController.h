@@ -14,6 +14,7 @@
 #include "app/pages/LessonsController.h"
 #include "app/pages/TourController.h"
 #include "app/school/OfflineUnlock.h"
+#include "database/Secret.h"
 
 namespace app {
 
@@ -54,7 +55,7 @@ private:
     void ask(const std::function<core::Result<database::Login>(const database::Repositories&)>& work,
              const std::function<void(const core::Error&)>& refuse = {});
     void readOwnHash();
-    void unlockOffline(const QString& password, const core::Error& why);
+    void unlockOffline(const database::Secret& password, const core::Error& why);
     void enter(const database::Login& who);
     void raisePasswordCost();
     void leave();

@@ -97,7 +97,7 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
 {
     const QString admin = parser.value(QStringLiteral("admin"));
     const bool hasAdmin = parser.isSet(QStringLiteral("admin"));
-    std::string password;
+    std::optional<database::Secret> password;
     if (hasAdmin) {
         // Checks the name before the file is created: otherwise an invalid name would leave a database without an
         // admin.
@@ -106,8 +106,8 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
         const auto typed = askSecret("Password of the new admin: ");
         if (!typed)
             return failed(typed.error());
-        password = *typed;
-        if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)
+        password.emplace(*typed);
+        if (auto fit = database::sql::Logins::checkNewPassword(password->text(), admin.toStdString()); !fit)
             return failed(fit.error());
     }
     const bool isNew = !address.isServer() && !QFileInfo::exists(address.file);
@@ -117,8 +117,9 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
     if (const std::string way = isNew ? wayBack(address) : std::string(); !way.empty())
         warn({"this is a new school, and there are backups of an earlier one: " + way});
     if (hasAdmin) {
-        const auto session = database::sql::Logins::createFirstAdmin(
-            *open->school, {admin.toStdString(), "", "", database::Role::Admin}, password, database::timedCost());
+        const auto session =
+            database::sql::Logins::createFirstAdmin(*open->school, {admin.toStdString(), "", "", database::Role::Admin},
+                                                    password->text(), database::timedCost());
         if (!session)
             return failed(session.error());
     }

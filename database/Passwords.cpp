@@ -15,6 +15,7 @@
 #include <sodium.h>
 #include <zxcvbn.h>
 
+#include "database/Secret.h"
 #include "database/Sodium.h"
 
 namespace database {
@@ -35,9 +36,15 @@ double threadMs()
 }
 
 /// Returns the normal form of a password, so that it matches when it is typed on another keyboard.
-QByteArray normal(const std::string& password)
+Secret normal(const std::string& password)
 {
-    return QString::fromStdString(password).normalized(QString::NormalizationForm_KC).toUtf8();
+    QString typed = QString::fromStdString(password);
+    QString given = typed.normalized(QString::NormalizationForm_KC);
+    Secret normal(given);
+    wipe(given);
+    given.clear();  // it may have shared the text with `typed`
+    wipe(typed);
+    return normal;
 }
 
 /// Returns the cost of a hash; empty if it is no hash.
@@ -98,7 +105,7 @@ bool isTriedFirst(const QString& given, const QString& username)
 
 core::Status checkPassword(const std::string& password, const std::string& username)
 {
-    const QString given = QString::fromUtf8(normal(password));
+    const QString given = QString::fromStdString(normal(password).text());
     if (given.size() < kShortestPassword)
         return core::unexpected(core::ErrorCode::OutOfRange, "the password is too short; give it " +
                                                                  std::to_string(kShortestPassword) +
@@ -118,23 +125,21 @@ core::Status checkPassword(const std::string& password, const std::string& usern
 
 core::Result<std::string> hashPassword(const std::string& password, const PasswordCost& cost)
 {
-    const QByteArray given = normal(password);
+    const Secret given = normal(password);
     std::array<char, crypto_pwhash_STRBYTES> hash{};
-    if (!beginSodium() ||
-        crypto_pwhash_str_alg(hash.data(), given.constData(), static_cast<unsigned long long>(given.size()),
-                              cost.passes, cost.memoryBytes, crypto_pwhash_ALG_ARGON2ID13) != 0)
+    if (!beginSodium() || crypto_pwhash_str_alg(hash.data(), given.text().data(), given.text().size(), cost.passes,
+                                                cost.memoryBytes, crypto_pwhash_ALG_ARGON2ID13) != 0)
         return tl::unexpected(noMemory());
     return std::string(hash.data());
 }
 
 core::Result<bool> fits(const std::string& password, const std::string& hash)
 {
-    const QByteArray given = normal(password);
-    if (!isPasswordHash(hash) || hash.size() >= crypto_pwhash_STRBYTES || given.size() > 4 * kLongestPassword)
+    const Secret given = normal(password);
+    if (!isPasswordHash(hash) || hash.size() >= crypto_pwhash_STRBYTES || given.text().size() > 4 * kLongestPassword)
         return false;
     errno = 0;
-    const bool isRight =
-        crypto_pwhash_str_verify(hash.c_str(), given.constData(), static_cast<unsigned long long>(given.size())) == 0;
+    const bool isRight = crypto_pwhash_str_verify(hash.c_str(), given.text().data(), given.text().size()) == 0;
     if (!isRight && errno == ENOMEM)
         return tl::unexpected(noMemory());
     return isRight;

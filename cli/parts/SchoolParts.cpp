@@ -186,7 +186,7 @@ core::Result<database::Login> logIn(const QCommandLineParser& parser, const Open
     const auto password = askSecret("Password: ");
     if (!password)
         return tl::unexpected(password.error());
-    auto session = database::sql::Logins::login(*school.school, name, *password);
+    auto session = database::sql::Logins::login(*school.school, name, password->text());
     if (!session && session.error().code == ErrorCode::NewPassword)
         return core::unexpected(ErrorCode::NewPassword,
                                 "the one-time code is right; log in with it in Cusp's window, choose a password there, "
@@ -194,7 +194,7 @@ core::Result<database::Login> logIn(const QCommandLineParser& parser, const Open
     return session;
 }
 
-core::Result<std::string> askSecret(const char* question)
+core::Result<database::Secret> askSecret(const char* question)
 {
     std::optional<HiddenTyping> hidden;
     if (isatty(STDIN_FILENO) != 0) {
@@ -209,7 +209,9 @@ core::Result<std::string> askSecret(const char* question)
         return core::unexpected(ErrorCode::FileEmpty, "no password was given, so nothing was done");
     if (!line.empty() && line.back() == '\r')  // the line is from a file written on Windows
         line.pop_back();
-    return line;
+    database::Secret secret(line);
+    database::wipe(line);
+    return secret;
 }
 
 }  // namespace cli

@@ -8,6 +8,7 @@
 #include <QCommandLineParser>
 
 #include "core/base/Result.h"
+#include "database/Secret.h"
 #include "database/sql/Database.h"
 #include "database/sql/DatabaseContext.h"
 
@@ -52,6 +53,6 @@ void addPersonOption(QCommandLineParser& parser);
 
 /// Prompts for a secret on the terminal without echo. Without a terminal, reads the next line of standard input.
 /// FileEmpty: end of input, for example by Ctrl+D.
-[[nodiscard]] core::Result<std::string> askSecret(const char* question);
+[[nodiscard]] core::Result<database::Secret> askSecret(const char* question);
 
 }  // namespace cli
