@@ -19,6 +19,8 @@
 #include "database/sql/StartedExams.h"
 #include "lessons/NeedsHelp.h"
 #include "tests/database/SchoolRig.h"
+#include "tests/fuzz/Exercises.h"
+#include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
 #include "tests/support/Suite.h"
 
@@ -583,6 +585,26 @@ private slots:
         }
         QVERIFY(isExamSetAside("ex\xC3", "2026-11-20T10:15:00Z"));
         QVERIFY(!isExamSetAside("exam", "2026-11-20T10:15:00Z"));
+    }
+
+    /// With CUSP_REWRITE_CORPUS=1, writes the seeds of the fuzzer again.
+    void corpusOfTheFuzzerIsHarmless()
+    {
+        if (support::rewritesSeeds()) {
+            constexpr std::size_t kHead = 8 + 64 + 128;  // magic, key and signature
+            SchoolRig rig(support::populatedSchool(false));
+            QTemporaryDir folder;
+            Outbox outbox(folder.path(), StationKey::make(), "school.sqlite");
+            VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500), "recording"));
+            VERIFY_DONE(outbox.put(rig.student, ExamStart{newUid(), "exam", "2026-11-20T10:15:00Z"}));
+            for (const QString& file : outbox.waiting()) {
+                const std::string bytes = support::bytesOf(file.toStdString());
+                const std::string kind = Outbox::isExam(file) ? "exam" : "attempt";
+                support::writeSeed("letter", kind, bytes);
+                support::writeSeed("letter", kind + "-content", std::string_view(bytes).substr(kHead));
+            }
+        }
+        QVERIFY(support::forEachSeed("letter", fuzz::exerciseLetter));
     }
 
     void aStationKeyIsAFileOfItsOwn()

@@ -30,6 +30,10 @@ void exerciseLesson(std::string_view bytes);
 /// Reads a pack of lessons, and its content as lessons.
 void exercisePack(std::string_view bytes);
 
+/// Reads the bytes as a file of the outbox, and as the content of one that the station has signed: an attempt that is
+/// accepted has texts that every database stores as they are.
+void exerciseLetter(std::string_view bytes);
+
 /// Reads the bytes in each mesh format. The result goes through analysis, placement, patching and rasterising: no index
 /// is out of range, and every number is finite.
 void exerciseMesh(std::string_view bytes);
