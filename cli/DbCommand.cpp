@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include <QDateTime>
@@ -13,6 +14,7 @@
 #include <QJsonObject>
 #include <unistd.h>
 
+#include "app/school/AttemptToCheck.h"
 #include "app/school/SchoolService.h"
 #include "bench/Circumstances.h"
 #include "cli/Commands.h"
@@ -31,6 +33,7 @@
 #include "database/sql/Logins.h"
 #include "database/sql/Overview.h"
 #include "database/sql/People.h"
+#include "database/sql/Repositories.h"
 #include "database/sql/Statement.h"
 
 namespace cli {
@@ -511,6 +514,55 @@ int measureSchool(const QCommandLineParser& parser, const Address& address)
     return kDone;
 }
 
+/// Marks the attempts again that no computer of an instructor or an admin has marked yet.
+int markAttempts(const QCommandLineParser& parser, const Address& address)
+{
+    if (const auto code = refuseNobody(parser))
+        return *code;
+    const StopSignal stop;
+    const auto open = openSchool(address, Opening::AsItIs);
+    if (!open)
+        return failedWithBackups(open.error(), address);
+    const auto session = logIn(parser, *open);
+    if (!session)
+        return failed(session.error());
+    std::set<std::int64_t> unreadable;
+    QJsonArray doubts;
+    int marked = 0;
+    core::Status done;
+    database::sql::withRepositories(*open->school, [&](const database::Repositories& school) {
+        while (done && goesOn()) {
+            const auto next = app::nextToCheck(school, *session, unreadable);
+            if (!next)
+                done = tl::unexpected(next.error());
+            if (!next || !*next)
+                return;
+            const app::AttemptToCheck& toCheck = **next;
+            if (!toCheck.recording) {
+                unreadable.insert(toCheck.attempt.id);
+                continue;
+            }
+            const database::Doubt found = app::check(toCheck);
+            done = school.attempts.noteCheck(*session, {toCheck.attempt.id}, found);
+            if (!done)
+                return;
+            ++marked;
+            if (found != database::Doubt::None)
+                doubts += QJsonObject{{"attempt", QString::fromStdString(toCheck.attempt.uid)},
+                                      {"doubt", QString::fromStdString(database::doubtId(found))}};
+        }
+    });
+    if (!done)
+        return failed(done.error());
+    return answer(parser,
+                  QStringLiteral("%1 attempts were marked again, %2 of them are in doubt; %3 have a recording that "
+                                 "cannot be read.")
+                      .arg(marked)
+                      .arg(doubts.size())
+                      .arg(unreadable.size()),
+                  {{"marked", marked}, {"doubts", doubts}, {"unreadable", static_cast<int>(unreadable.size())}});
+}
+
 void addAdmin(QCommandLineParser& parser)
 {
     parser.addOption({QStringLiteral("admin"),
@@ -556,6 +608,8 @@ constexpr std::array kParts{
          restoreFile, true},
     Part{"migrate", "cusp db migrate [--db FILE|URL]", "brings an older database to this program's schema", nothing,
          migrateDatabase},
+    Part{"mark", "cusp db mark --as NAME [--db FILE|URL] [--json]",
+         "marks attempts again from their recordings, and notes which are in doubt", addPersonOption, markAttempts},
     Part{"send", "cusp db send [--db FILE|URL]",
          "delivers what waits on this computer, also what waits for this school under another name", nothing,
          sendWaiting},

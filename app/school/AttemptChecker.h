@@ -4,13 +4,11 @@
 #include <chrono>
 #include <set>
 
-#include <QByteArray>
 #include <QObject>
 #include <QTimer>
 
 #include "app/school/SchoolAccess.h"
 #include "app/school/SchoolSession.h"
-#include "core/base/Result.h"
 #include "database/AttemptRecord.h"
 
 namespace app {
@@ -32,9 +30,8 @@ signals:
     void doubted();
 
 private:
-    struct Waiting;
     void search();
-    void check(const Waiting& waiting);
+    void mark(const struct AttemptToCheck& next);
     void note(database::AttemptId id, database::Doubt found);
 
     const SchoolSession& m_school;

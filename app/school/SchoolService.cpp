@@ -9,8 +9,8 @@
 #include <QFileInfo>
 #include <QScopeGuard>
 
+#include "app/school/AttemptToCheck.h"
 #include "app/threads/Background.h"
-#include "database/AttemptCheck.h"
 #include "database/Passwords.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
@@ -18,7 +18,6 @@
 #include "database/sql/Logins.h"
 #include "database/sql/Repositories.h"
 #include "database/sql/StartedExams.h"
-#include "lessons/LessonVersion.h"
 
 namespace app {
 namespace {
@@ -70,11 +69,7 @@ core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const Q
     if (!letter)
         return tl::unexpected(letter.error());
     const auto kept = std::make_shared<const database::Outbox::PendingAttempt>(std::move(*letter));
-    const auto check = [kept] {
-        const auto assigned = lessons::cachedVersion(kept->attempt.lessonHash);
-        return database::checkAttempt(kept->attempt, kept->recording,
-                                      assigned ? std::optional(*assigned) : std::nullopt);
-    };
+    const auto check = [kept] { return checkArriving(kept->attempt, kept->recording); };
     const auto deliver = [kept](const DatabaseContext& to, database::Doubt doubt) {
         database::AttemptRecord attempt = kept->attempt;
         attempt.doubt = doubt;

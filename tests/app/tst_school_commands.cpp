@@ -327,6 +327,23 @@ private slots:
         QCOMPARE(outbox.arrived().size(), 2);
     }
 
+    /// Beside a backup, on the computer of the school.
+    void attemptsAreMarkedAgain()
+    {
+        QVERIFY(QFile::copy(m_peopled, at("marked.sqlite")));
+        VERIFY_DONE(outboxOf("marked.sqlite").put(m_rig.student, SchoolRig::attempt("class1-36", 500), {}));
+        expectDone(runCusp({"db", "send", "--db", at("marked.sqlite")}));
+        const QStringList mark{"db", "mark", "--as", "admin", "--json", "--db", at("marked.sqlite")};
+        const Ending marked = runCusp(mark, {}, kPassword);
+        expectDone(marked);
+        QCOMPARE(marked.json()["marked"].toInt(), 1);
+        QCOMPARE(marked.json()["doubts"].toArray().size(), 1);
+        QCOMPARE(marked.json()["doubts"][0]["doubt"].toString(), QString("recording"));
+        QCOMPARE(runCusp(mark, {}, kPassword).json()["marked"].toInt(), 0);
+        QCOMPARE(runCusp({"db", "mark", "--db", at("marked.sqlite")}).exitCode, 2);
+        expectDone(runCusp({"db", "check", "--db", at("marked.sqlite")}));
+    }
+
     void aDamagedLetterIsSetAside()
     {
         QVERIFY(QDir(m_folder->path()).mkpath("outbox"));

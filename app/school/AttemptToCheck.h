@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <QByteArray>
+
+#include "core/base/Result.h"
+#include "database/AttemptRecord.h"
+#include "database/Repositories.h"
+
+namespace app {
+
+/// An attempt whose recording has not been marked again yet, with what that needs from the database.
+struct AttemptToCheck
+{
+    database::AttemptRecord attempt;
+    std::optional<QByteArray> recording;  ///< unset: the database names one that it cannot read
+    QByteArray pack;                      ///< of its lesson's version; empty: in the cache, or not assigned
+    std::vector<database::ExamStart> starts;
+};
+
+/// Returns the newest attempt to check, without its recording if that cannot be read; empty if there is none left.
+/// Call it on the thread of the database.
+/// @param postponed  ids of attempts to leave out
+[[nodiscard]] core::Result<std::optional<AttemptToCheck>>
+nextToCheck(const database::Repositories& school, const database::Login& who, const std::set<std::int64_t>& postponed);
+
+/// Marks an attempt that has a recording again, as database::checkAttempt() does. Takes as long as a replay. Any
+/// thread.
+[[nodiscard]] database::Doubt check(const AttemptToCheck& toCheck);
+/// The same for an attempt that arrives, whose version the computer may have cached.
+[[nodiscard]] database::Doubt checkArriving(const database::AttemptRecord& attempt, const QByteArray& recording);
+
+}  // namespace app
