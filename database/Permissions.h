@@ -22,7 +22,7 @@ enum class Operation : std::uint8_t {
     ChangeOwnPassword,
     ListPeople,
     AddPerson,
-    ChangePerson,  ///< names, role, whether disabled
+    ChangePerson,  ///< names, role, whether disabled; also erase a person
     ResetPassword,
     ListClasses,
     ChangeClasses,  ///< add and rename them, and change their members

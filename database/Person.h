@@ -39,6 +39,21 @@ struct Person
     {
         return givenName + (givenName.empty() || familyName.empty() ? "" : " ") + familyName;
     }
+    /// Returns the username that replaces the person's own when they are erased. Migration 10 contains it, too.
+    [[nodiscard]] std::string pseudonym() const
+    {
+        constexpr std::size_t kDigits = 12;
+        return "erased-" + uid.substr(0, kDigits);
+    }
+    /// Returns whether the person was erased: only the attempts are left, and the account cannot be used again.
+    [[nodiscard]] bool isErased() const { return username == pseudonym(); }
+};
+
+/// The outcome of erasing a person.
+struct ErasedPerson
+{
+    Person person;            ///< as they are now, with a pseudonym
+    bool isFileClean = true;  ///< false: unused parts of the database file may still contain what was erased
 };
 
 /// A person who cannot log in by password yet, and the one-time code for their first login. Only a hash of the code is
@@ -84,6 +99,7 @@ struct RosterFault
         Name,           ///< of a person: too long, or with invisible characters
         Role,           ///< an unknown role
         OtherRole,      ///< differs from the person's role in the database, which is the value
+        Erased,         ///< of a person who was erased
         Class,          ///< an invalid name of a class
         NoUtf8,         ///< not UTF-8 from this character of the line on, which is the value
         OpenQuote,      ///< a quote that begins at this character of the line, which is the value, is not closed

@@ -129,6 +129,9 @@ public:
                                                       const Person& asItWas) = 0;
     /// Replaces the password of a person with a one-time code.
     [[nodiscard]] virtual core::Result<Entered> resetPassword(const Login& who, PersonId person) = 0;
+    /// Removes a person's names and login and the texts about them; the attempts stay under a pseudonym. It cannot be
+    /// undone. NobodyLeft: as for change(). NotAllowed: the user's own account. ChangedSince: erased already.
+    [[nodiscard]] virtual core::Result<ErasedPerson> erase(const Login& who, PersonId person) = 0;
     /// Creates the people of a class list (CSV), all or none of them.
     /// @param isDryRun  returns the outcome without changing anything, and without codes
     /// @param asSeen    the outcome shown to the user. ChangedSince: the import would now have another outcome

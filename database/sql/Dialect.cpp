@@ -154,6 +154,25 @@ QString appendOnly(bool postgres, const QString& table)
         .arg(table);
 }
 
+/// Returns SQL that replaces the triggers of appendOnly() by ones that let rows change if a condition is met.
+QString letChange(bool postgres, const QString& table, const QString& condition)
+{
+    if (!postgres)
+        return QStringLiteral("DROP TRIGGER %1_no_update;\n"
+                              "CREATE TRIGGER %1_no_update BEFORE UPDATE ON %1 WHEN NOT (%2) BEGIN SELECT "
+                              "RAISE(ABORT, '%1 is append-only'); END;")
+            .arg(table, condition);
+    return QStringLiteral("DROP TRIGGER %1_no_change ON %1;\n"
+                          "CREATE TRIGGER %1_no_change BEFORE DELETE OR TRUNCATE ON %1 FOR EACH STATEMENT EXECUTE "
+                          "FUNCTION %1_is_append_only();\n"
+                          "CREATE FUNCTION %1_may_change() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN IF %2 THEN "
+                          "RETURN new; END IF; RAISE EXCEPTION '%1 is append-only' USING ERRCODE = "
+                          "'integrity_constraint_violation'; END $$;\n"
+                          "CREATE TRIGGER %1_no_update BEFORE UPDATE ON %1 FOR EACH ROW EXECUTE FUNCTION "
+                          "%1_may_change();")
+        .arg(table, condition);
+}
+
 /// Returns a statement that takes a lock until the transaction ends. Unlike with a row lock, stations get it in the
 /// order in which they asked. A station that stops while it has the lock (a closed laptop) loses the lock and its
 /// connection before the others time out.
@@ -194,6 +213,10 @@ QString expand(const QSqlDatabase& db, QString sql)
     static const QRegularExpression kAppendOnly(QStringLiteral(R"(\{append_only (\w+)\};)"));
     for (auto found = kAppendOnly.match(sql); found.hasMatch(); found = kAppendOnly.match(sql))
         sql.replace(found.capturedStart(), found.capturedLength(), appendOnly(postgres, found.captured(1)));
+    static const QRegularExpression kLetChange(QStringLiteral(R"(\{let_change (\w+): ([^}]+)\};)"));
+    for (auto found = kLetChange.match(sql); found.hasMatch(); found = kLetChange.match(sql))
+        sql.replace(found.capturedStart(), found.capturedLength(),
+                    letChange(postgres, found.captured(1), found.captured(2).simplified()));
     return sql;
 }
 
@@ -300,6 +323,23 @@ core::Status continueIds(const QSqlDatabase& db, const QString& table)
                        : QStringLiteral("UPDATE sqlite_sequence SET seq = (SELECT COALESCE(MAX(id), 0) FROM %1) WHERE "
                                         "name = '%1'");
     return execute(db, goOn.arg(table), kNumber);
+}
+
+core::Status overwriteUnused(const QSqlDatabase& db)
+{
+    const std::string doing = "overwrite its unused parts";
+    if (isPostgres(db))
+        return {};
+    // secure_delete overwrites a deleted row, but not the copies that stay behind when rows move to another page.
+    if (auto done = execute(db, "VACUUM", doing); !done)
+        return done;
+    const auto isBusy = ask(db, "PRAGMA wal_checkpoint(TRUNCATE)", doing);
+    if (!isBusy)
+        return tl::unexpected(isBusy.error());
+    if (isBusy->toInt() != 0)
+        return core::unexpected(ErrorCode::Busy, "database " + nameOf(db) + ": could not " + doing +
+                                                     ", another program is reading it; close that program");
+    return {};
 }
 
 QString uriOf(const QString& file, bool isImmutable)

@@ -19,7 +19,8 @@ inline constexpr int kApplicationId = 0x43555350;
 [[nodiscard]] bool isPostgres(const QSqlDatabase& db);
 
 /// Replaces the placeholders in a migration: {row_id}, {int64}, {blob}, {table_options}, and {append_only NAME}, which
-/// makes the database refuse to change or delete rows of that table.
+/// makes the database refuse to change or delete rows of that table. {let_change NAME: CONDITION} then lets rows change
+/// for which a condition on old and new values is met.
 [[nodiscard]] QString expand(const QSqlDatabase& db, QString sql);
 
 /// Returns the statement that begins a writing transaction. In SQLite it waits for other writers at its begin, not at
@@ -51,6 +52,10 @@ inline constexpr int kApplicationId = 0x43555350;
 /// Sets the next id of a table to more than the largest id of its rows. On a server this needs no more permissions than
 /// inserting rows.
 [[nodiscard]] core::Status continueIds(const QSqlDatabase& db, const QString& table);
+
+/// Overwrites the former content of rows in unused parts of an SQLite file and in its write-ahead log. Call it outside
+/// transactions. Busy: another program is using the file. Does nothing on a server, whose own VACUUM does the same.
+[[nodiscard]] core::Status overwriteUnused(const QSqlDatabase& db);
 
 /// Returns the URI of an SQLite file, for QSQLITE_OPEN_URI. Immutable: the file does not change, and SQLite creates no
 /// files beside it. Do not use that if the database has a write-ahead log.

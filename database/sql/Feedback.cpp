@@ -15,7 +15,8 @@ const QString kSeen = QStringLiteral("feedback.");
 /// Returns the SQL for comments or for overrides on attempts.
 QString saidIn(const char* table, const char* when)
 {
-    return QStringLiteral("SELECT a.id, a.uid, a.lesson_id, TRIM(p.given_name || ' ' || p.family_name) AS author, t.%2 "
+    return QStringLiteral("SELECT a.id, a.uid, a.lesson_id, COALESCE(NULLIF(TRIM(p.given_name || ' ' || "
+                          "p.family_name), ''), p.username) AS author, t.%2 "
                           "AS said_utc FROM attempts a JOIN %1 t ON t.attempt_id = a.id JOIN people p ON p.id = "
                           "t.author_id WHERE a.person_id = ? AND t.author_id <> a.person_id")
         .arg(QLatin1String(table), QLatin1String(when));

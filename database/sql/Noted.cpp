@@ -43,13 +43,23 @@ struct Act
     Operation operation;
 };
 constexpr Act kActs[]{
-    {"person.add", Operation::AddPerson},         {"person.change", Operation::ChangePerson},
-    {"password.reset", Operation::ResetPassword}, {"class.add", Operation::ChangeClasses},
-    {"class.rename", Operation::ChangeClasses},   {"class.enrol", Operation::ChangeClasses},
-    {"class.leave", Operation::ChangeClasses},    {"lesson.assign", Operation::Assign},
-    {"lesson.unassign", Operation::Assign},       {"attempt.comment", Operation::Comment},
-    {"attempt.override", Operation::Override},    {"attempt.check", Operation::CheckAttempt},
-    {"preset.add", Operation::AddPreset},         {"setting.change", Operation::ChangeSettings},
+    {"person.add", Operation::AddPerson},
+    {"person.change", Operation::ChangePerson},
+    {"password.reset", Operation::ResetPassword},
+    {"class.add", Operation::ChangeClasses},
+    {"class.rename", Operation::ChangeClasses},
+    {"class.enrol", Operation::ChangeClasses},
+    {"class.leave", Operation::ChangeClasses},
+    {"lesson.assign", Operation::Assign},
+    {"lesson.unassign", Operation::Assign},
+    {"attempt.comment", Operation::Comment},
+    {"attempt.override", Operation::Override},
+    {"attempt.check", Operation::CheckAttempt},
+    {"preset.add", Operation::AddPreset},
+    {"setting.change", Operation::ChangeSettings},
+    {"person.erase", Operation::ChangePerson},
+    {"attempt.comment.erase", Operation::ChangePerson},
+    {"attempt.override.erase", Operation::ChangePerson},
 };
 
 /// Replays the audit from its first row and computes the expected content of each table.
@@ -101,6 +111,20 @@ private:
     std::map<std::pair<std::string, std::string>, std::pair<std::string, std::string>> m_assignments;
 };
 
+/// Replaces the digest in the row of a text. Such a row begins with its author and ends with its digest.
+void replaceDigest(std::multiset<std::string>& rows, const std::string& author, const std::string& before,
+                   const std::string& after)
+{
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const std::string& one) {
+        return one.starts_with(author + '\n') && one.ends_with('\n' + before + '\n');
+    });
+    if (row == rows.end())
+        return;
+    std::string changed = row->substr(0, row->size() - before.size() - 1) + after + '\n';
+    rows.erase(row);
+    rows.insert(std::move(changed));
+}
+
 bool Noted::mayDo(const std::string& actor, const std::string& action) const
 {
     if (actor == "system")  // Cusp itself adds only the first admin
@@ -136,6 +160,9 @@ void Noted::take(const std::string& actor, const std::string& action, const std:
         if (const auto stood = comments.find(joined({actor, "0", word("digest_of_all")})); stood != comments.end())
             comments.erase(stood);
         comments.insert(joined({actor, "1", word("digest_of_all")}));
+    } else if (action == "attempt.comment.erase" || action == "attempt.override.erase") {
+        replaceDigest(m_tables[action == "attempt.comment.erase" ? "comments" : "overrides"][about], word("author"),
+                      word("digest_before"), word("digest_of_all"));
     } else if (action == "preset.add") {
         set("presets", about, {actor, word("hash"), word("hash")});
     } else if (action == "setting.change") {
@@ -287,7 +314,8 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
                     "SELECT actor, action, object, detail, seq FROM audit WHERE action IN ('attempt.override', "
                     "'attempt.doubt', 'attempt.check', 'attempt.comment', 'attempt.comment.withdraw', 'lesson.assign', "
                     "'lesson.unassign', 'person.add', "
-                    "'person.change', 'password.code', 'password.change', 'password.reset', 'password.rehash', "
+                    "'person.change', 'person.erase', 'attempt.comment.erase', 'attempt.override.erase', "
+                    "'password.code', 'password.change', 'password.reset', 'password.rehash', "
                     "'class.add', 'class.rename', 'class.enrol', 'class.leave', 'preset.add', 'setting.change', "
                     "'exam.begin') ORDER BY seq",
                     kComparing, {},

@@ -391,7 +391,8 @@ core::Result<AttemptTalk> readTalk(const DatabaseContext& school, const Login& s
         return tl::unexpected(owner.error());
     if (auto who = authorizeFor(school, session, Operation::OpenAttempt, {owner->toLongLong()}); !who)
         return tl::unexpected(who.error());
-    const QString author = QStringLiteral("TRIM(p.given_name || ' ' || p.family_name)");
+    const QString author =
+        QStringLiteral("COALESCE(NULLIF(TRIM(p.given_name || ' ' || p.family_name), ''), p.username)");
     AttemptTalk talk;
     if (auto read = forEach(school.db,
                             "SELECT c.id, " + author +

@@ -56,28 +56,15 @@ core::Status checkNames(const NewPerson& who)
     return {};
 }
 
-/// Fails if there is no other admin who can log in.
-core::Status expectAnotherAdmin(const DatabaseContext& school, PersonId person)
-{
-    const auto other = ask(school.db,
-                           "SELECT 1 FROM people WHERE role = 'admin' AND disabled = 0 AND password_hash <> '' "
-                           "AND id <> ? LIMIT 1",
-                           "see who else is an admin", {static_cast<qlonglong>(person.value)});
-    if (!other)
-        return tl::unexpected(other.error());
-    if (other->isNull())
-        return core::unexpected(ErrorCode::NobodyLeft,
-                                "this is the last admin who can log in; make somebody else an admin first");
-    return {};
-}
-
 KeptLogin codeAsKept(const DatabaseContext& school, const std::string& uid, const std::string& code)
 {
     const QDateTime until = school.nowUtc().addSecs(std::chrono::seconds(Logins::kCodeLife).count());
     return {{}, hashOfCode(uid, code), until.toString(Qt::ISODate).toStdString()};
 }
 
-core::Result<Person> personBy(const DatabaseContext& school, const QString& column, const QVariant& value)
+/// @param called  for the error
+core::Result<Person> personBy(const DatabaseContext& school, const QString& column, const QVariant& value,
+                              const std::string& called)
 {
     std::optional<Person> found;
     if (auto read =
@@ -86,9 +73,8 @@ core::Result<Person> personBy(const DatabaseContext& school, const QString& colu
         !read)
         return tl::unexpected(read.error());
     if (!found)
-        return core::unexpected(ErrorCode::UnknownName, "nobody here is called \"" + value.toString().toStdString() +
-                                                            "\"; \"cusp user list\" "
-                                                            "lists who there is");
+        return core::unexpected(ErrorCode::UnknownName,
+                                "nobody here " + called + "; \"cusp user list\" lists who there is");
     return *found;
 }
 
@@ -162,6 +148,34 @@ core::Status moveClasses(const DatabaseContext& school, AuditBatch& audit, const
 }
 
 }  // namespace
+
+core::Result<Person> readPerson(const DatabaseContext& school, PersonId id)
+{
+    return personBy(school, QStringLiteral("id"), number(id.value), "has the number " + std::to_string(id.value));
+}
+
+core::Status expectAnotherAdmin(const DatabaseContext& school, PersonId person)
+{
+    const auto other = ask(school.db,
+                           "SELECT 1 FROM people WHERE role = 'admin' AND disabled = 0 AND password_hash <> '' "
+                           "AND id <> ? LIMIT 1",
+                           "see who else is an admin", {static_cast<qlonglong>(person.value)});
+    if (!other)
+        return tl::unexpected(other.error());
+    if (other->isNull())
+        return core::unexpected(ErrorCode::NobodyLeft,
+                                "this is the last admin who can log in; make somebody else an admin first");
+    return {};
+}
+
+core::Status expectNotErased(const Person& person)
+{
+    if (!person.isErased())
+        return {};
+    return core::unexpected(ErrorCode::ChangedSince, person.username +
+                                                         " is a person who was erased and cannot come back; enter the "
+                                                         "person anew if they are here again");
+}
 
 core::Status checkPersonName(const std::string& name)
 {
@@ -317,9 +331,11 @@ core::Result<Person> changePerson(const DatabaseContext& school, const Login& se
     if (auto fit = checkNames({wanted.username, wanted.givenName, wanted.familyName, wanted.role}); !fit)
         return tl::unexpected(fit.error());
     return inTurn(school, "change the person", [&]() -> core::Result<Person> {
-        const auto before = personBy(school, QStringLiteral("id"), number(wanted.id.value));
+        const auto before = readPerson(school, wanted.id);
         if (!before)
             return tl::unexpected(before.error());
+        if (auto is = expectNotErased(*before); !is)
+            return tl::unexpected(is.error());
         auto person = merged(wanted, *before, asItWas);
         if (!person)
             return person;
@@ -341,9 +357,11 @@ core::Result<Entered> resetPassword(const DatabaseContext& school, const Login& 
     if (auto may = authorize(school, session, Operation::ResetPassword); !may)
         return tl::unexpected(may.error());
     return inTurn(school, "set a one-time code", [&]() -> core::Result<Entered> {
-        auto who = personBy(school, QStringLiteral("id"), static_cast<qlonglong>(person.value));
+        auto who = readPerson(school, person);
         if (!who)
             return tl::unexpected(who.error());
+        if (auto is = expectNotErased(*who); !is)
+            return tl::unexpected(is.error());
         if (who->role == Role::Admin)
             if (auto left = expectAnotherAdmin(school, person); !left)
                 return tl::unexpected(left.error());
@@ -374,7 +392,7 @@ core::Result<Person> findPerson(const DatabaseContext& school, const Login& sess
     const auto name = normalUsername(username);
     if (!name)
         return tl::unexpected(name.error());
-    return personBy(school, QStringLiteral("username"), text(*name));
+    return personBy(school, QStringLiteral("username"), text(*name), "is called \"" + *name + '"');
 }
 
 }  // namespace database::sql

@@ -33,6 +33,15 @@ class AuditBatch;
 [[nodiscard]] core::Result<Person> changePerson(const DatabaseContext& school, const Login& session,
                                                 const Person& person, const std::optional<Person>& asItWas = {});
 
+/// Returns the person with an id. UnknownName. Does not check permissions.
+[[nodiscard]] core::Result<Person> readPerson(const DatabaseContext& school, PersonId id);
+
+/// Fails with NobodyLeft if no admin but this person can log in.
+[[nodiscard]] core::Status expectAnotherAdmin(const DatabaseContext& school, PersonId person);
+
+/// Fails with ChangedSince if the person was erased.
+[[nodiscard]] core::Status expectNotErased(const Person& person);
+
 /// Replaces the password by a one-time code, valid for Logins::kCodeLife. Clears failed logins.
 [[nodiscard]] core::Result<Entered> resetPassword(const DatabaseContext& school, const Login& session, PersonId person);
 

@@ -10,6 +10,7 @@
 #include "database/sql/Classes.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/Doubts.h"
+#include "database/sql/Erasing.h"
 #include "database/sql/Export.h"
 #include "database/sql/Feedback.h"
 #include "database/sql/Overview.h"
@@ -168,6 +169,10 @@ public:
     core::Result<Entered> resetPassword(const Login& who, PersonId person) override
     {
         return sql::resetPassword(m_school, who, person);
+    }
+    core::Result<ErasedPerson> erase(const Login& who, PersonId person) override
+    {
+        return erasePerson(m_school, who, person);
     }
     core::Result<RosterOutcome> import(const Login& who, std::string_view csv, bool isDryRun,
                                        const RosterOutcome& asSeen) override

@@ -267,6 +267,14 @@ std::vector<Line> plan(const std::vector<Line>& lines, const Present& present, R
         const bool isThere = before != present.people.end();
         if (isThere) {
             const Person& person = before->second;
+            if (person.isErased()) {
+                outcome.faults.push_back({line.number,
+                                          "username",
+                                          "belongs to a person who was erased and cannot come back; choose another",
+                                          Kind::Erased,
+                                          {}});
+                continue;
+            }
             if (line.saysRole && person.role != line.who.role) {
                 outcome.faults.push_back({line.number, "role",
                                           "is \"" + std::string(roleName(person.role)) +

@@ -226,6 +226,7 @@ struct FakePeople final : database::PeopleRepository, Fake
     std::vector<database::Person> all;
     database::RosterOutcome outcome;  ///< result of import()
     int imports = 0;                  ///< without dry runs
+    bool isFileClean = true;          ///< result of erase()
 
     core::Result<std::vector<database::Person>> list(const database::Login&) const override { return orRefusal(all); }
     core::Result<database::Entered> add(const database::Login&, const database::NewPerson& person,
@@ -261,6 +262,20 @@ struct FakePeople final : database::PeopleRepository, Fake
         for (const auto& one : all)
             if (one.id == person)
                 return orRefusal(database::Entered{one, "ABCD-EFGH"});
+        return unknown();
+    }
+    core::Result<database::ErasedPerson> erase(const database::Login&, database::PersonId person) override
+    {
+        for (auto& one : all)
+            if (one.id == person) {
+                if (refusal)
+                    return tl::unexpected(*refusal);
+                one.username = one.pseudonym();
+                one.givenName.clear();
+                one.familyName.clear();
+                one.disabled = true;
+                return database::ErasedPerson{one, isFileClean};
+            }
         return unknown();
     }
     core::Result<database::RosterOutcome> import(const database::Login&, std::string_view, bool isDryRun,

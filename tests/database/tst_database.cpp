@@ -368,6 +368,7 @@ private slots:
             "a2214c4df6915b12d232e0cfda9250b36b40d1bed498daab1d4b7a13256f8a29",  // 0007_withdrawn_comments.sql
             "50e780a091ed98cac13d30c67bb3ff1eb14ad38fa7a208d719821b2c61c0dde4",  // 0008_class_pages.sql
             "b53460b8b1b0abba25a73895ce121676753d3e1f114708f0ded63e21942f23f2",  // 0009_lesson_versions.sql
+            "8d8916e2a9518f8422a730aaaae1bac049ab18c62611d8d61a696b3ba83b84c6",  // 0010_erased_people.sql
             // add the next one here
         };
         const auto steps = shippedMigrations();

@@ -16,6 +16,7 @@
 #include "database/sql/Backups.h"
 #include "database/sql/Copy.h"
 #include "database/sql/Doubts.h"
+#include "database/sql/Erasing.h"
 #include "database/sql/Export.h"
 #include "database/sql/Feedback.h"
 #include "database/sql/LessonVersions.h"
@@ -156,6 +157,10 @@ public:
         {Operation::AddPerson, "importRoster",
          [this](auto& me) { return importRoster(s, me, "username\nroster" + newName() + "\n", false); }},
         {Operation::ChangePerson, "changePerson", [this](auto& me) { return changePerson(s, me, m_classmate); }},
+        {Operation::ChangePerson, "erasePerson",
+         [this](auto& me) {
+             return erasePerson(s, me, addPerson(s, m_rig.admin, {newName(), "", "", Role::Student})->person.id);
+         }},
         {Operation::ChangePerson, "findPerson", [this](auto& me) { return findPerson(s, me, "s1002"); }},
         {Operation::ResetPassword, "resetPassword",
          [this](auto& me) { return resetPassword(s, me, m_rig.classmate.person()); }},

@@ -26,6 +26,7 @@ constexpr std::array kActions{
     std::pair{"password.rehash", QT_TRANSLATE_NOOP("Admin", "had the password kept more safely")},
     std::pair{"person.add", QT_TRANSLATE_NOOP("Admin", "entered a person")},
     std::pair{"person.change", QT_TRANSLATE_NOOP("Admin", "changed a person")},
+    std::pair{"person.erase", QT_TRANSLATE_NOOP("Admin", "erased a person")},
     std::pair{"class.add", QT_TRANSLATE_NOOP("Admin", "added a class")},
     std::pair{"class.rename", QT_TRANSLATE_NOOP("Admin", "renamed a class")},
     std::pair{"class.enrol", QT_TRANSLATE_NOOP("Admin", "put somebody into a class")},
@@ -38,6 +39,8 @@ constexpr std::array kActions{
     std::pair{"exam.begin", QT_TRANSLATE_NOOP("Admin", "began an exam")},
     std::pair{"attempt.comment", QT_TRANSLATE_NOOP("Admin", "commented on an attempt")},
     std::pair{"attempt.comment.withdraw", QT_TRANSLATE_NOOP("Admin", "took a comment back")},
+    std::pair{"attempt.comment.erase", QT_TRANSLATE_NOOP("Admin", "erased a comment")},
+    std::pair{"attempt.override.erase", QT_TRANSLATE_NOOP("Admin", "erased the reason for a score")},
     std::pair{"attempt.override", QT_TRANSLATE_NOOP("Admin", "gave another score")},
     std::pair{"preset.add", QT_TRANSLATE_NOOP("Admin", "kept a hardness preset")},
     std::pair{"setting.change", QT_TRANSLATE_NOOP("Admin", "changed a setting")},
@@ -246,6 +249,8 @@ QString rosterFaultWords(const database::RosterFault& fault)
     case Kind::OtherRole:
         return QCoreApplication::translate("Admin", "Here the role is %1; a class list does not change it.")
             .arg(roleWord(database::roleOf(fault.value).value_or(database::Role::Student)));
+    case Kind::Erased:
+        return QCoreApplication::translate("Admin", "This person was erased and cannot come back.");
     case Kind::Class:
         return QCoreApplication::translate("Admin", "The name of a class has 1 to 100 characters that can be seen.");
     case Kind::NoUtf8:
