@@ -23,6 +23,7 @@
 #include "database/Csv.h"
 #include "database/sql/Classes.h"
 #include "database/sql/Database.h"
+#include "database/sql/Erasing.h"
 #include "database/sql/Export.h"
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
@@ -180,6 +181,34 @@ int disableUser(const QCommandLineParser& parser, const QString& username)
     return kDone;
 }
 
+int eraseUser(const QCommandLineParser& parser, const QString& username)
+{
+    if (!parser.isSet(QStringLiteral("yes")))
+        return wrongUsage(QStringLiteral("erasing removes the names, the login and the comments by and about %1, and "
+                                         "cannot be undone; if that is meant, add --yes")
+                              .arg(printable(username)));
+    const auto desk = deskOf(parser);
+    if (!desk)
+        return failed(desk.error());
+    const auto person = database::sql::findPerson(*desk->open.school, desk->session, username.toStdString());
+    if (!person)
+        return failed(person.error());
+    const auto erased = database::sql::erasePerson(*desk->open.school, desk->session, person->id);
+    if (!erased)
+        return failed(erased.error());
+    if (!erased->isFileClean)
+        warn({"another program was using the database file, so unused parts of it may contain the names until another "
+              "person is erased"});
+    if (parser.isSet(QStringLiteral("json"))) {
+        printJson(toJson(erased->person));
+        return kDone;
+    }
+    printText(QStringLiteral("%1 was erased; the attempts stay as %2. The names may still be in backups (delete those "
+                             "made before now), exported files and printed reports.\n")
+                  .arg(QString::fromStdString(person->username), QString::fromStdString(erased->person.username)));
+    return kDone;
+}
+
 void nothing(QCommandLineParser&) {}
 
 void addNames(QCommandLineParser& parser)
@@ -193,6 +222,11 @@ void addNames(QCommandLineParser& parser)
 void addEnable(QCommandLineParser& parser)
 {
     parser.addOption({QStringLiteral("enable"), QStringLiteral("Lets the person log in again.")});
+}
+
+void addYes(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("yes"), QStringLiteral("Confirms that the person is erased for good.")});
 }
 
 struct Part
@@ -214,6 +248,8 @@ constexpr std::array kParts{
          "removes a password and prints a one-time code in its place", nothing, resetUser},
     Part{"disable", "cusp user disable NAME --as ADMIN [--enable] [--db FILE|URL]",
          "lets a person no longer log in; their attempts stay", addEnable, disableUser},
+    Part{"erase", "cusp user erase NAME --as ADMIN --yes [--db FILE|URL]",
+         "erases names, login and comments for good; attempts stay under a pseudonym", addYes, eraseUser},
 };
 
 /// Returns an error for a path that SQLite uses for its own files: SQLite could delete the file, or read it into the

@@ -117,6 +117,28 @@ private slots:
         QVERIFY(onFile({"db", "stats"}).out.contains("students     1"));
     }
 
+    void aPersonIsErasedForGood()
+    {
+        expectDone(byAdmin({"user", "add", "s1", "--given", "Samantha", "--family", "Onewell"}));
+        const Ending unsure = byAdmin({"user", "erase", "s1"});
+        QVERIFY(unsure.exitCode == 2 && unsure.error.contains("cannot be undone") && unsure.error.contains("--yes"));
+        expectRefusal(byAdmin({"user", "erase", "nobody", "--yes"}), "nobody here is called");
+        expectRefusal(byAdmin({"user", "erase", "admin", "--yes"}), "the last admin");
+        const Ending erased = byAdmin({"user", "erase", "s1", "--yes"});
+        expectDone(erased);
+        QVERIFY2(erased.out.contains("erased-") && erased.out.contains("backups"), qPrintable(erased.out));
+        const QString listed = byAdmin({"user", "list"}).out;
+        QVERIFY(listed.contains("erased-") && !listed.contains("Onewell"));
+        expectRefusal(byAdmin({"user", "erase", "s1", "--yes"}), "nobody here is called");
+        const QString pseudonym = listed.mid(listed.indexOf("erased-"), 19);
+        expectRefusal(byAdmin({"user", "erase", pseudonym, "--yes"}), "erased already");
+        expectRefusal(byAdmin({"user", "disable", pseudonym, "--enable"}), "cannot come back");
+        expectRefusal(byAdmin({"user", "reset", pseudonym}), "cannot come back");
+        expectDone(onFile({"db", "check"}));
+        QFile file(school());
+        QVERIFY(file.open(QIODevice::ReadOnly) && !file.readAll().contains("Onewell"));
+    }
+
     /// Without --db the commands use a database in the user's data folder.
     void withoutAFileItIsTheUsersOwn()
     {
