@@ -4,6 +4,38 @@
 <context>
     <name>Admin</name>
     <message>
+        <source>erased a person</source>
+        <translation>hat eine Person gelöscht</translation>
+    </message>
+    <message>
+        <source>erased a comment</source>
+        <translation>hat einen Kommentar gelöscht</translation>
+    </message>
+    <message>
+        <source>erased the reason for a score</source>
+        <translation>hat die Begründung einer Punktzahl gelöscht</translation>
+    </message>
+    <message>
+        <source>This person was erased and cannot come back.</source>
+        <translation>Diese Person wurde gelöscht und kann nicht zurückkommen.</translation>
+    </message>
+    <message>
+        <source>Erase %1?</source>
+        <translation>%1 löschen?</translation>
+    </message>
+    <message>
+        <source>The names, the login and the comments by and about this person are removed. The attempts and scores stay, under a pseudonym. This cannot be undone, and it does not reach backups and exported files.</source>
+        <translation>Die Namen, die Anmeldung und die Kommentare von dieser Person und über sie werden entfernt. Die Versuche und Punktzahlen bleiben unter einem Pseudonym. Das lässt sich nicht rückgängig machen, und es erreicht keine Sicherungen und exportierten Dateien.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the person</source>
+        <translation>Person be&amp;halten</translation>
+    </message>
+    <message>
         <source>an attempt was compared with the assigned version</source>
         <translation>ein Versuch wurde mit der aufgegebenen Fassung verglichen</translation>
     </message>
@@ -2995,6 +3027,14 @@
 <context>
     <name>app::AdminController</name>
     <message>
+        <source>The person was erased. The attempts stay as %1.</source>
+        <translation>Die Person wurde gelöscht. Die Versuche bleiben als %1.</translation>
+    </message>
+    <message>
+        <source>The person was erased, and the attempts stay as %1. Another program was using the database file, so unused parts of it may contain the names until another person is erased.</source>
+        <translation>Die Person wurde gelöscht, und die Versuche bleiben als %1. Ein anderes Programm benutzte die Datenbankdatei, daher können unbenutzte Teile von ihr die Namen enthalten, bis wieder eine Person gelöscht wird.</translation>
+    </message>
+    <message>
         <source>%1 (not protected on the network: %2)</source>
         <translation>%1 (im Netz nicht geschützt: %2)</translation>
     </message>
@@ -3724,6 +3764,26 @@
 </context>
 <context>
     <name>ui::admin::PeoplePart</name>
+    <message>
+        <source>Erase …</source>
+        <translation>Löschen …</translation>
+    </message>
+    <message>
+        <source>Erase the person</source>
+        <translation>Die Person löschen</translation>
+    </message>
+    <message>
+        <source>Remove names, login and comments; the attempts stay under a pseudonym</source>
+        <translation>Namen, Anmeldung und Kommentare entfernen; die Versuche bleiben unter einem Pseudonym</translation>
+    </message>
+    <message>
+        <source>erased</source>
+        <translation>gelöscht</translation>
+    </message>
+    <message>
+        <source>This person was erased. The attempts stay under this name.</source>
+        <translation>Diese Person wurde gelöscht. Die Versuche bleiben unter diesem Namen.</translation>
+    </message>
     <message>
         <source>Clear the search</source>
         <translation>Suche leeren</translation>

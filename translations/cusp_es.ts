@@ -4,6 +4,38 @@
 <context>
     <name>Admin</name>
     <message>
+        <source>erased a person</source>
+        <translation>borró a una persona</translation>
+    </message>
+    <message>
+        <source>erased a comment</source>
+        <translation>borró un comentario</translation>
+    </message>
+    <message>
+        <source>erased the reason for a score</source>
+        <translation>borró el motivo de una puntuación</translation>
+    </message>
+    <message>
+        <source>This person was erased and cannot come back.</source>
+        <translation>Esta persona fue borrada y no puede volver.</translation>
+    </message>
+    <message>
+        <source>Erase %1?</source>
+        <translation>¿Borrar a %1?</translation>
+    </message>
+    <message>
+        <source>The names, the login and the comments by and about this person are removed. The attempts and scores stay, under a pseudonym. This cannot be undone, and it does not reach backups and exported files.</source>
+        <translation>Se eliminan los nombres, el inicio de sesión y los comentarios de esta persona y sobre ella. Los intentos y las puntuaciones se conservan con un seudónimo. No se puede deshacer, y no alcanza las copias de seguridad ni los archivos exportados.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the person</source>
+        <translation>&amp;Conservar a la persona</translation>
+    </message>
+    <message>
         <source>an attempt was compared with the assigned version</source>
         <translation>se comparó un intento con la versión asignada</translation>
     </message>
@@ -2995,6 +3027,14 @@
 <context>
     <name>app::AdminController</name>
     <message>
+        <source>The person was erased. The attempts stay as %1.</source>
+        <translation>La persona fue borrada. Los intentos se conservan como %1.</translation>
+    </message>
+    <message>
+        <source>The person was erased, and the attempts stay as %1. Another program was using the database file, so unused parts of it may contain the names until another person is erased.</source>
+        <translation>La persona fue borrada y los intentos se conservan como %1. Otro programa usaba el archivo de la base de datos, por lo que sus partes sin uso pueden contener los nombres hasta que se borre a otra persona.</translation>
+    </message>
+    <message>
         <source>%1 (not protected on the network: %2)</source>
         <translation>%1 (sin protección en la red: %2)</translation>
     </message>
@@ -3724,6 +3764,26 @@
 </context>
 <context>
     <name>ui::admin::PeoplePart</name>
+    <message>
+        <source>Erase …</source>
+        <translation>Borrar …</translation>
+    </message>
+    <message>
+        <source>Erase the person</source>
+        <translation>Borrar a la persona</translation>
+    </message>
+    <message>
+        <source>Remove names, login and comments; the attempts stay under a pseudonym</source>
+        <translation>Eliminar nombres, inicio de sesión y comentarios; los intentos se conservan con un seudónimo</translation>
+    </message>
+    <message>
+        <source>erased</source>
+        <translation>borrada</translation>
+    </message>
+    <message>
+        <source>This person was erased. The attempts stay under this name.</source>
+        <translation>Esta persona fue borrada. Los intentos se conservan con este nombre.</translation>
+    </message>
     <message>
         <source>Clear the search</source>
         <translation>Borrar la búsqueda</translation>

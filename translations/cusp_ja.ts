@@ -4,6 +4,38 @@
 <context>
     <name>Admin</name>
     <message>
+        <source>erased a person</source>
+        <translation>人の情報を消去しました</translation>
+    </message>
+    <message>
+        <source>erased a comment</source>
+        <translation>コメントを消去しました</translation>
+    </message>
+    <message>
+        <source>erased the reason for a score</source>
+        <translation>点数の理由を消去しました</translation>
+    </message>
+    <message>
+        <source>This person was erased and cannot come back.</source>
+        <translation>この人の情報は消去されており、元に戻せません。</translation>
+    </message>
+    <message>
+        <source>Erase %1?</source>
+        <translation>%1 の情報を消去しますか？</translation>
+    </message>
+    <message>
+        <source>The names, the login and the comments by and about this person are removed. The attempts and scores stay, under a pseudonym. This cannot be undone, and it does not reach backups and exported files.</source>
+        <translation>この人の名前、ログイン情報、この人が書いたコメントとこの人へのコメントを消去します。試行と点数は仮名で残ります。元に戻すことはできません。バックアップと書き出したファイルからは消えません。</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>消去</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the person</source>
+        <translation>残す(&amp;K)</translation>
+    </message>
+    <message>
         <source>an attempt was compared with the assigned version</source>
         <translation>試行が課された版と比較された</translation>
     </message>
@@ -2986,6 +3018,14 @@
 <context>
     <name>app::AdminController</name>
     <message>
+        <source>The person was erased. The attempts stay as %1.</source>
+        <translation>この人の情報を消去しました。試行は %1 として残ります。</translation>
+    </message>
+    <message>
+        <source>The person was erased, and the attempts stay as %1. Another program was using the database file, so unused parts of it may contain the names until another person is erased.</source>
+        <translation>この人の情報を消去しました。試行は %1 として残ります。別のプログラムがデータベースファイルを使用していたため、次に誰かの情報を消去するまで、ファイルの未使用部分に名前が残っている可能性があります。</translation>
+    </message>
+    <message>
         <source>%1 (not protected on the network: %2)</source>
         <translation>%1（ネットワーク上で保護されていません: %2）</translation>
     </message>
@@ -3708,6 +3748,26 @@
 </context>
 <context>
     <name>ui::admin::PeoplePart</name>
+    <message>
+        <source>Erase …</source>
+        <translation>消去…</translation>
+    </message>
+    <message>
+        <source>Erase the person</source>
+        <translation>この人の情報を消去</translation>
+    </message>
+    <message>
+        <source>Remove names, login and comments; the attempts stay under a pseudonym</source>
+        <translation>名前、ログイン情報、コメントを消去します。試行は仮名で残ります</translation>
+    </message>
+    <message>
+        <source>erased</source>
+        <translation>消去済み</translation>
+    </message>
+    <message>
+        <source>This person was erased. The attempts stay under this name.</source>
+        <translation>この人の情報は消去されています。試行はこの名前で残っています。</translation>
+    </message>
     <message>
         <source>Clear the search</source>
         <translation>検索を消す</translation>

@@ -202,6 +202,7 @@ void AdminController::connectPeople()
     connect(&part, &PeoplePart::addRequested, this, &AdminController::addPerson);
     connect(&part, &PeoplePart::changeRequested, this, &AdminController::changePerson);
     connect(&part, &PeoplePart::resetRequested, this, [this](qint64 id) { resetPassword({id}); });
+    connect(&part, &PeoplePart::eraseRequested, this, [this](qint64 id) { erasePerson({id}); });
     connect(&part, &PeoplePart::classRequested, this, [this](const QString& className) {
         m_queries.ask(
             this,
@@ -291,6 +292,27 @@ void AdminController::resetPassword(PersonId person)
                 part.showCode(reset->person, QString::fromStdString(reset->code));
             else
                 part.refuse([error = reset.error()] { return why(error); });
+            readPeople();
+        });
+}
+
+void AdminController::erasePerson(PersonId person)
+{
+    m_queries.ask(
+        this, [person](const Repositories& school, const Login& who) { return school.people.erase(who, person); },
+        [this](const core::Result<database::ErasedPerson>& erased) {
+            ui::admin::PeoplePart& part = m_window.adminPage().people();
+            if (erased)
+                part.confirm(erased->person.id,
+                             [isClean = erased->isFileClean, name = QString::fromStdString(erased->person.username)] {
+                                 return isClean ? tr("The person was erased. The attempts stay as %1.").arg(name)
+                                                : tr("The person was erased, and the attempts stay as %1. Another "
+                                                     "program was using the database file, so unused parts of it may "
+                                                     "contain the names until another person is erased.")
+                                                      .arg(name);
+                             });
+            else
+                part.refuse([error = erased.error()] { return why(error); });
             readPeople();
         });
 }

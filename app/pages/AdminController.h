@@ -61,6 +61,7 @@ private:
     void addPerson(const database::NewPerson& person, const QSet<qint64>& classes);
     void changePerson(database::Person person, const QSet<qint64>& classes);
     void resetPassword(database::PersonId person);
+    void erasePerson(database::PersonId person);
     void showClassChange(const QString& className, const core::Status& changed);
     void connectRoster();
     /// @param isOther  the admin wanted to enter the list, and its outcome has changed since it was shown

@@ -104,6 +104,30 @@ private slots:
         QVERIFY(page().people().findChild<QLabel*>("oneTimeCode")->text().isEmpty());
     }
 
+    void anErasedPersonIsListedUnderTheirPseudonym()
+    {
+        addPerson({});
+        const auto* const rows = page().people().findChild<QTableView*>("people")->model();
+        const auto* const words = page().people().findChild<QLabel*>("personSaid");
+        emit page().people().eraseRequested(m_school->people.all.front().id.value);
+        m_school->answer();
+        QVERIFY(rows->index(0, 1).data().toString().startsWith("erased-"));
+        QVERIFY2(words->text().contains("The person was erased"), qPrintable(words->text()));
+        m_school->people.refusal = core::Error{ErrorCode::NobodyLeft, "the last admin"};
+        emit page().people().eraseRequested(m_school->people.all.front().id.value);
+        m_school->answer();
+        QVERIFY(page().people().findChild<QLabel*>("personFault")->text().contains("the last admin"));
+    }
+
+    void aFileThatStaysUncleanIsNamed()
+    {
+        addPerson({});
+        m_school->people.isFileClean = false;
+        emit page().people().eraseRequested(m_school->people.all.front().id.value);
+        m_school->answer();
+        QVERIFY(page().people().findChild<QLabel*>("personSaid")->text().contains("may contain the names"));
+    }
+
     void aClassListIsShownBeforeItIsEntered()
     {
         m_school->people.outcome.people = {rosterPerson(false)};

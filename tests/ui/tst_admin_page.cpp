@@ -89,6 +89,56 @@ private slots:
         QVERIFY(!showsCode() && !state(0).contains("shown here"));
     }
 
+    void aPersonIsErasedAfterAQuestion()
+    {
+        database::Person ada = someone(1, "Ada", true);
+        database::Person own = someone(2, "Bob", true);
+        own.uid = kAdmin.toStdString();
+        setPeople({ada, own});
+        const auto* erase = child<QPushButton>("erasePerson");
+        QVERIFY(!erase->isVisible());  // a new person
+        choose(1);
+        QVERIFY(!erase->isVisible());
+        choose(0);
+        QVERIFY(erase->isVisible());
+        QSignalSpy erased(&people(), &PeoplePart::eraseRequested);
+        // Enter and Esc keep the person: the button that erases is not the default.
+        for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Escape}) {
+            click("erasePerson");
+            auto* const question = child<QWidget>("eraseQuestion");
+            QVERIFY(question != nullptr && question->findChild<QLabel*>("questionText")->text().contains("Ada Berg"));
+            QCOMPARE(QApplication::focusWidget()->objectName(), QString("questionStay"));
+            QTest::keyClick(QApplication::focusWidget(), key);
+            QVERIFY(!question->isVisible());
+        }
+        QCOMPARE(erased.size(), 0);
+        QTest::keyClicks(child<QLineEdit>("personGiven"), "x");
+        click("erasePerson");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QCOMPARE(QApplication::focusWidget()->objectName(), QString("questionDiscard"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QCOMPARE(erased.size(), 1);
+        QCOMPARE(erased[0][0].toLongLong(), 1);
+        QCOMPARE(QApplication::focusWidget()->objectName(), QString("people"));
+        // Nothing can be changed of an erased person.
+        ada.username = ada.pseudonym();
+        ada.givenName.clear();
+        ada.familyName.clear();
+        ada.disabled = true;
+        setPeople({ada, own});
+        const QAbstractItemModel* const rows = child<QTableView>("people")->model();
+        const int row = rows->index(0, 1).data().toString().startsWith("erased-") ? 0 : 1;
+        choose(row);
+        QCOMPARE(rows->index(row, 5).data().toString(), QString("erased"));
+        QVERIFY(people().unsavedChanges().isEmpty());
+        QVERIFY2(said().contains("was erased"), qPrintable(said()));
+        for (const char* name : {"erasePerson", "resetPassword", "disablePerson", "savePerson"})
+            QVERIFY2(!child<QPushButton>(name)->isVisible(), name);
+        QVERIFY(!child<QLineEdit>("personGiven")->isEnabled());
+        choose(1 - row);
+        QVERIFY(child<QLineEdit>("personGiven")->isEnabled() && child<QPushButton>("savePerson")->isVisible());
+    }
+
     void aDoubleClickOnEnterTakesNoPasswordAway()
     {
         QSignalSpy entered(&people(), &PeoplePart::addRequested);

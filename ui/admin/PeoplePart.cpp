@@ -24,7 +24,9 @@
 
 #include "database/NameOrder.h"
 #include "ui/admin/AdminWords.h"
+#include "ui/admin/EraseQuestion.h"
 #include "ui/admin/PeopleModel.h"
+#include "ui/admin/TickList.h"
 #include "ui/kit/FormInputs.h"
 #include "ui/kit/InlineConfirmation.h"
 #include "ui/kit/ListTable.h"
@@ -44,27 +46,13 @@ using database::Role;
 
 constexpr int kId = Qt::UserRole + 1;  ///< id of a class in the form's list
 constexpr int kFormPx = 340;
-constexpr int kClassListPx = 110;
 constexpr int kTickPx = 28;
 constexpr int kSoonMs = 100;  ///< longer operations show a message
-constexpr std::array kRoles{Role::Student, Role::Instructor, Role::Admin};
 
 QString nameOf(const Person& person)
 {
     return QString::fromStdString(person.fullName().empty() ? person.username : person.fullName());
 }
-
-/// A list that takes the height left by the fields, but shows at least three lines.
-class TickList final : public QListWidget
-{
-public:
-    using QListWidget::QListWidget;
-    [[nodiscard]] QSize sizeHint() const override { return minimumSizeHint(); }
-    [[nodiscard]] QSize minimumSizeHint() const override
-    {
-        return {QListWidget::minimumSizeHint().width(), kClassListPx};
-    }
-};
 
 QPushButton* button(const char* kind, const char* name, QWidget* parent)
 {
@@ -258,12 +246,17 @@ void PeoplePart::addButtons(QVBoxLayout* stack, QWidget* whole)
     m_reset = button("", "resetPassword", whole);
     m_keep = button("", "keepAsItIs", whole);
     m_disable = button("", "disablePerson", whole);
+    m_erase = button("quiet", "erasePerson", whole);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_reset);
     buttons->addWidget(m_keep);
     buttons->addWidget(m_disable);
     buttons->addStretch(1);
-    stack->addWidget(m_save, 0, Qt::AlignLeft);
+    auto* first = new QHBoxLayout;
+    first->addWidget(m_save);
+    first->addStretch(1);
+    first->addWidget(m_erase);
+    stack->addLayout(first);
     stack->addLayout(buttons);
 }
 
@@ -285,6 +278,7 @@ void PeoplePart::connectForm()
     connect(m_keep, &QPushButton::clicked, this, &PeoplePart::keepAsItIs);
     connect(m_thought, &kit::InlineConfirmation::withdrawn, this, &PeoplePart::keepAsItIs);
     connect(m_disable, &QPushButton::clicked, this, &PeoplePart::toggleDisabled);
+    connect(m_erase, &QPushButton::clicked, this, &PeoplePart::askToErase);
     connect(m_copy, &QPushButton::clicked, this, [this] {
         QGuiApplication::clipboard()->setText(m_code->text());
         m_codes[m_chosen].isCopied = true;
@@ -337,7 +331,7 @@ void PeoplePart::keepAsItIs()
     m_thought->end();
     say({});
     if (const Person* const person = chosen(); person != nullptr && m_question == Question::OwnRole)
-        m_role->setCurrentIndex(asEntered(*person).role);
+        m_role->setCurrentIndex(TypedPerson::asEntered(*person).role);
     showForm();
     (m_question == Question::Password ? m_reset : m_question == Question::OwnRole ? m_save : m_disable)->setFocus();
 }
@@ -373,6 +367,9 @@ void PeoplePart::retranslateUi()
     m_renameClass->setText(tr("Rename"));
     m_renameClass->setToolTip(tr("Give this name to the class that is chosen above"));
     m_reset->setToolTip(brokenIntoLines(tr("Take the password away and give a one-time code in its place")));
+    m_erase->setText(tr("Erase …"));
+    m_erase->setAccessibleName(tr("Erase the person"));
+    m_erase->setToolTip(brokenIntoLines(tr("Remove names, login and comments; the attempts stay under a pseudonym")));
     m_copy->setText(tr("Copy"));
     m_new->setAccessibleName(m_new->text());
     m_addClass->setAccessibleName(m_addClass->toolTip());
@@ -392,6 +389,8 @@ void PeoplePart::retranslateUi()
 
 QString PeoplePart::stateOf(const Person& person, const std::string& nowUtc) const
 {
+    if (person.isErased())
+        return tr("erased");
     if (person.disabled)
         return tr("disabled");
     if (person.hasPassword)
@@ -521,41 +520,12 @@ void PeoplePart::select(qint64 person)
     choose(person);
 }
 
-PeoplePart::Typed PeoplePart::asEntered(const Person& person)
-{
-    Typed form{person,
-               QString::fromStdString(person.username),
-               QString::fromStdString(person.givenName),
-               QString::fromStdString(person.familyName),
-               static_cast<int>(std::find(kRoles.begin(), kRoles.end(), person.role) - kRoles.begin()),
-               {}};
-    for (const database::ClassId one : person.classes)
-        form.classes.insert(one.value);
-    return form;
-}
-
-/// Returns the person as they are in the database now, with the user's changes applied.
-PeoplePart::Typed PeoplePart::onto(const Person& now, const Typed& typed)
-{
-    const Typed before = asEntered(typed.asItWas);
-    Typed form = asEntered(now);
-    if (typed.given != before.given)
-        form.given = typed.given;
-    if (typed.family != before.family)
-        form.family = typed.family;
-    if (typed.role != before.role)
-        form.role = typed.role;
-    form.classes += typed.classes - before.classes;
-    form.classes -= before.classes - typed.classes;
-    return form;
-}
-
 /// Fills the form with the person as they are in the database now. Keeps the user's changes.
-void PeoplePart::rebase(const Person& now, const Typed& typed)
+void PeoplePart::rebase(const Person& now, const TypedPerson& typed)
 {
-    const Typed before = asEntered(typed.asItWas);
-    const Typed entered = asEntered(now);
-    write(onto(now, typed));
+    const TypedPerson before = TypedPerson::asEntered(typed.asItWas);
+    const TypedPerson entered = TypedPerson::asEntered(now);
+    write(typed.onto(now));
     if (entered.given != before.given || entered.family != before.family || entered.role != before.role)
         say({}, [name = nameOf(now)] {
             //: %1 is a person
@@ -563,12 +533,12 @@ void PeoplePart::rebase(const Person& now, const Typed& typed)
         });
 }
 
-PeoplePart::Typed PeoplePart::typed() const
+TypedPerson PeoplePart::typed() const
 {
     return {m_inForm, m_username->text(), m_given->text(), m_family->text(), m_role->currentIndex(), tickedClasses()};
 }
 
-void PeoplePart::write(const Typed& typed)
+void PeoplePart::write(const TypedPerson& typed)
 {
     m_inForm = typed.asItWas;
     const auto put = [](QLineEdit* field, const QString& words) {
@@ -587,10 +557,10 @@ bool PeoplePart::isHalfFilled() const
 {
     if (!m_isTouched)
         return false;
-    const Typed now = typed();
+    const TypedPerson now = typed();
     if (now.person() == 0)
         return !now.username.isEmpty() || !now.given.isEmpty() || !now.family.isEmpty();
-    const Typed before = asEntered(m_inForm);
+    const TypedPerson before = TypedPerson::asEntered(m_inForm);
     return now.given != before.given || now.family != before.family || now.role != before.role ||
            now.classes != before.classes;
 }
@@ -692,13 +662,17 @@ void PeoplePart::showForm()
         if (m_isTouched)
             rebase(*person, typed());
         else
-            write(asEntered(*person));
+            write(TypedPerson::asEntered(*person));
     } else {
         m_inForm = {};
         m_inForm.id = {m_chosen};  // the new person is not in the list yet
         fillClasses(tickedClasses());
     }
     showButtons(person);
+    for (QWidget* field :
+         {static_cast<QWidget*>(m_given), static_cast<QWidget*>(m_family), static_cast<QWidget*>(m_role),
+          static_cast<QWidget*>(m_classList), static_cast<QWidget*>(m_className)})
+        field->setEnabled(person == nullptr || !person->isErased());
     const Code code = m_codes.value(m_chosen);
     m_codeCard->setVisible(!code.code.isEmpty());
     m_code->setText(code.code);
@@ -746,6 +720,15 @@ void PeoplePart::showButtons(const Person* person)
                        : person != nullptr && person->disabled ? tr("Enable")
                                                                : tr("Disable"));
     m_disable->setAccessibleName(m_disable->text());
+    const bool isErased = person != nullptr && person->isErased();
+    m_erase->setVisible(person != nullptr && !isAsked && !isErased && !isOwn(person));
+    m_save->setVisible(!isErased);
+    if (isErased) {
+        m_reset->hide();
+        m_disable->hide();
+        if (!m_sentence)
+            m_said->setText(tr("This person was erased. The attempts stay under this name."));
+    }
     m_disable->setToolTip(brokenIntoLines(tr("Who is disabled cannot log in; attempts and names stay")));
 }
 
@@ -786,10 +769,10 @@ QSet<qint64> PeoplePart::tickedClasses() const
 
 void PeoplePart::submit()
 {
-    if (isSecondClick())
+    const Person* const person = chosen();
+    if (isSecondClick() || (person != nullptr && person->isErased()))
         return;
     const Role role = kRoles.at(static_cast<std::size_t>(std::max(0, m_role->currentIndex())));
-    const Person* const person = chosen();
     const bool givesUpRole = isOwn(person) && person->role == Role::Admin && role != Role::Admin;
     if (givesUpRole && !isAnswered(Question::OwnRole))
         return;
@@ -852,6 +835,22 @@ void PeoplePart::toggleDisabled()
     emit changeRequested(changed, classes);
 }
 
+/// Asks before a person is erased, and requests it if the user confirms.
+void PeoplePart::askToErase()
+{
+    const Person* const person = chosen();
+    if (person == nullptr || isSecondClick())
+        return;
+    endThought();
+    ui::admin::askToErase(window(), nameOf(*person), [this, id = m_chosen] {
+        m_isTouched = false;  // what was typed is about a person who is erased
+        m_codes.remove(id);
+        say({});
+        m_table->setFocus();  // the button is hidden for an erased person
+        emit eraseRequested(id);
+    });
+}
+
 void PeoplePart::showCode(const Person& person, const QString& code)
 {
     m_codes.insert(person.id.value, {nameOf(person), code, person.codeUntilUtc});
@@ -862,7 +861,7 @@ void PeoplePart::showCode(const Person& person, const QString& code)
 
 void PeoplePart::confirm(database::PersonId person, const Words& sentence)
 {
-    const std::optional<Typed> submitted = std::exchange(m_submitted, std::nullopt);
+    const std::optional<TypedPerson> submitted = std::exchange(m_submitted, std::nullopt);
     if (submitted)
         m_isTouched = m_isTouched && m_inForm.id.value != submitted->person();
     if (submitted && submitted->person() == 0)  // the button for an existing person appears under the pointer

@@ -13,6 +13,7 @@
 #include <QWidget>
 
 #include "database/Person.h"
+#include "ui/admin/TypedPerson.h"
 
 class QComboBox;
 class QFrame;
@@ -69,22 +70,12 @@ signals:
     void addRequested(const database::NewPerson& person, const QSet<qint64>& classes);
     void changeRequested(const database::Person& person, const QSet<qint64>& classes);
     void resetRequested(qint64 person);
+    /// Emitted when the user has confirmed that a person is to be erased.
+    void eraseRequested(qint64 person);
     void classRequested(const QString& name);
     void classNameRequested(qint64 id, const QString& name);
 
 private:
-    /// The contents of an unsaved form.
-    struct Typed
-    {
-        database::Person asItWas;  ///< the person when the form was filled; without an id: a new person
-        QString username;
-        QString given;
-        QString family;
-        int role = 0;
-        QSet<qint64> classes;
-
-        [[nodiscard]] qint64 person() const { return asItWas.id.value; }
-    };
     struct Code
     {
         QString fullName;
@@ -121,14 +112,13 @@ private:
     void submit();
     void askToReset();
     void toggleDisabled();
+    void askToErase();
     [[nodiscard]] const database::Person* find(qint64 person) const;
     [[nodiscard]] const database::Person* chosen() const { return find(m_chosen); }
     [[nodiscard]] QSet<qint64> tickedClasses() const;
-    [[nodiscard]] static Typed asEntered(const database::Person& person);
-    [[nodiscard]] static Typed onto(const database::Person& now, const Typed& typed);
-    void rebase(const database::Person& now, const Typed& typed);
-    void write(const Typed& typed);
-    [[nodiscard]] Typed typed() const;
+    void rebase(const database::Person& now, const TypedPerson& typed);
+    void write(const TypedPerson& typed);
+    [[nodiscard]] TypedPerson typed() const;
     [[nodiscard]] bool isHalfFilled() const;
     [[nodiscard]] QString formWords() const;
     [[nodiscard]] bool isOwn(const database::Person* person) const;
@@ -142,7 +132,7 @@ private:
     database::Person m_inForm;  ///< the person of the form, as it was when the form was filled; without an id: a new
                                 ///< person
     bool m_isTouched = false;   ///< the user has changed the form; a reload of the people keeps the changes
-    std::optional<Typed> m_submitted;  ///< the pending request
+    std::optional<TypedPerson> m_submitted;  ///< the pending request
     QElapsedTimer m_sinceSubmitted;
     QHash<qint64, Code> m_codes;  ///< by person id
     PeopleModel* m_rows = nullptr;
@@ -170,6 +160,7 @@ private:
     QPushButton* m_reset = nullptr;
     QPushButton* m_keep = nullptr;  ///< cancels the change while it is being confirmed
     QPushButton* m_disable = nullptr;
+    QPushButton* m_erase = nullptr;
     kit::InlineConfirmation* m_thought = nullptr;
     Question m_question = Question::Password;
     QLabel* m_said = nullptr;

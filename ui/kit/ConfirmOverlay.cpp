@@ -67,7 +67,8 @@ ConfirmOverlay::ConfirmOverlay(const Question& question, QWidget* parent)
         m_answers << button;
     };
     if (question.discard)
-        offer(tr("&Discard"), "questionDiscard", "quiet", question.discard);
+        offer(question.discardText.isEmpty() ? tr("&Discard") : question.discardText, "questionDiscard", "quiet",
+              question.discard);
     const bool isLost = question.saveText.isEmpty();
     const QString stay = !isLost ? tr("&Cancel") : question.stayText.isEmpty() ? tr("&Stay") : question.stayText;
     offer(stay, "questionStay", isLost ? "filled" : "", [] {});

@@ -27,7 +27,8 @@ public:
         QString saveText;  ///< text of the button that saves; empty: saving is not possible
         std::function<void()> save;
         std::function<void()> discard;
-        QString stayText = {};  ///< text of the button that cancels, if saveText is empty; empty: "Stay"
+        QString discardText = {};  ///< text of the button that discards; empty: "Discard"
+        QString stayText = {};     ///< text of the button that cancels, if saveText is empty; empty: "Stay"
         QString drawing = QStringLiteral("warning");  ///< name of its icon
     };
 
