@@ -12,6 +12,7 @@
 #include "app/pages/PresetController.h"
 #include "app/school/SchoolService.h"
 #include "core/session/SessionChannels.h"
+#include "database/sql/Erasing.h"
 #include "database/sql/Settings.h"
 #include "tests/database/SchoolRig.h"
 #include "ui/admin/AdminPage.h"
@@ -116,6 +117,32 @@ private slots:
         show();
         QVERIFY2(code->text().isEmpty(), qPrintable(code->text()));
         QVERIFY(people.unsavedChanges().isEmpty());
+    }
+
+    void whoAnotherAdminHasErasedStaysErased()
+    {
+        app::AdminController admin(*m_window, *m_desk, {}, [this] { return m_who; });
+        ui::admin::PeoplePart& people = m_window->adminPage().people();
+        const auto* said = m_window->findChild<QLabel*>("personSaid");
+        const auto* fault = m_window->findChild<QLabel*>("personFault");
+        const auto* rows = m_window->findChild<QTableView*>("people")->model();
+        emit m_window->adminPage().partOpened(ui::admin::AdminPage::People);
+        QTRY_COMPARE_WITH_TIMEOUT(rows->rowCount(), 6, kPatienceMs);
+        const database::PersonId sam = m_rig->student.person();
+        database::Person renamed = sql::findPerson(m_rig->school(), m_rig->admin, "s1001").value();
+        renamed.familyName = "Renamed";
+        QVERIFY(sql::erasePerson(m_rig->school(), m_rig->admin, sam));
+        emit people.changeRequested(renamed, {m_rig->first.value});
+        QTRY_VERIFY_WITH_TIMEOUT(fault->text().contains("Somebody else"), kPatienceMs);
+        emit people.eraseRequested(sam.value);
+        QTRY_VERIFY_WITH_TIMEOUT(!rows->match(rows->index(0, 1), Qt::DisplayRole, "erased-").isEmpty(), kPatienceMs);
+        QVERIFY(said->text().isEmpty());
+        QCOMPARE(m_rig->count("audit WHERE action = 'person.erase'"), 1);
+        // The other admin has the file open all the time.
+        emit people.eraseRequested(m_rig->classmate.person().value);
+        QTRY_VERIFY_WITH_TIMEOUT(said->text().startsWith("The person was erased. The attempts stay as erased-"),
+                                 kPatienceMs);
+        QCOMPARE(support::faultsOf(m_rig->school().db), QString());
     }
 
 private:
