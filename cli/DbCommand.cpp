@@ -30,6 +30,7 @@
 #include "database/sql/Classes.h"
 #include "database/sql/Copy.h"
 #include "database/sql/Export.h"
+#include "database/sql/Grants.h"
 #include "database/sql/Logins.h"
 #include "database/sql/Overview.h"
 #include "database/sql/People.h"
@@ -126,12 +127,30 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
         if (!session)
             return failed(session.error());
     }
+    const QString station = parser.value(QStringLiteral("station"));
+    if (parser.isSet(QStringLiteral("station")))
+        if (auto granted = database::sql::applyGrants(open->school->db, station); !granted)
+            return failed(granted.error());
     const auto version = database::sql::dialect::schemaVersion(open->school->db);
     if (!version)
         return failed(version.error());
     return answer(parser,
                   QStringLiteral("%1 is ready, with schema %2.").arg(address.shown(), QString::number(*version)),
-                  {{"database", address.shown()}, {"schema", *version}, {"admin", admin}});
+                  {{"database", address.shown()}, {"schema", *version}, {"admin", admin}, {"station", station}});
+}
+
+int printGrants(const QCommandLineParser& parser, const Address& address)
+{
+    if (!parser.isSet(QStringLiteral("station")))
+        return wrongUsage(QStringLiteral("say for which account of the server with --station NAME"));
+    const auto sql = database::sql::grantsFor(parser.value(QStringLiteral("station")));
+    if (!sql)
+        return failed(sql.error());
+    if (wantsJson(parser))
+        printJson({{"database", address.shown()}, {"sql", *sql}});
+    else
+        printText(*sql);
+    return kDone;
 }
 
 int checkWhole(const QCommandLineParser& parser, const Address& address)
@@ -391,6 +410,8 @@ int tellStats(const QCommandLineParser& parser, const Address& address)
     const auto open = openSchool(address, Opening::ToLook);
     if (!open)
         return failedWithBackups(open.error(), address);
+    if (auto owner = database::sql::expectOwner(open->school->db, "cusp db stats"); !owner)
+        return failed(owner.error());
     QJsonObject object{{"database", address.shown()}};
     QString text = address.shown() + '\n';
     const auto version = database::sql::dialect::schemaVersion(open->school->db);
@@ -563,8 +584,17 @@ int markAttempts(const QCommandLineParser& parser, const Address& address)
                   {{"marked", marked}, {"doubts", doubts}, {"unreadable", static_cast<int>(unreadable.size())}});
 }
 
+void addStation(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("station"),
+                      QStringLiteral("An account of the server that owns nothing there, for the stations; the "
+                                     "server's administrator has created it."),
+                      QStringLiteral("NAME")});
+}
+
 void addAdmin(QCommandLineParser& parser)
 {
+    addStation(parser);
     parser.addOption({QStringLiteral("admin"),
                       QStringLiteral("Enters the first admin under this name; the password is asked for, or read from "
                                      "standard input."),
@@ -597,8 +627,11 @@ void addTarget(QCommandLineParser& parser)
 }
 
 constexpr std::array kParts{
-    Part{"init", "cusp db init [--db FILE|URL] [--admin NAME]", "creates the database, and its first admin", addAdmin,
+    Part{"init", "cusp db init [--db FILE|URL] [--admin NAME] [--station NAME]",
+         "creates the database, and its first admin; gives stations an account with few rights", addAdmin,
          initDatabase},
+    Part{"grants", "cusp db grants --station NAME", "prints the SQL by which \"init --station\" gives those rights",
+         addStation, printGrants},
     Part{"check", "cusp db check [--db FILE|URL] [--witness CODE]... [--json]",
          "looks at everything: pages, keys, audit, attempts; names what was changed", addWitness, checkWhole},
     Part{"backup", "cusp db backup [--db FILE] [--to FOLDER] [--json]",

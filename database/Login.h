@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "database/Permissions.h"
@@ -53,11 +54,18 @@ public:
 
 private:
     friend class sql::Logins;
+    /// What a server needs to know again from a station whose account may not read passwords.
+    struct Proof
+    {
+        std::string token;
+        std::string passwordHash;
+    };
     PersonId m_person;
     std::string m_uid;
     std::string m_username;
     std::string m_fullName;
     Role m_role = Role::Guest;
+    std::shared_ptr<Proof> m_proof;  ///< shared by the copies, used by Logins only; null where none is needed
 };
 
 }  // namespace database

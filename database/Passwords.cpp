@@ -133,6 +133,30 @@ core::Result<std::string> hashPassword(const std::string& password, const Passwo
     return std::string(hash.data());
 }
 
+core::Result<std::string> hashWithSalt(const std::string& password, const std::string& salt)
+{
+    constexpr std::size_t kHashBytes = 32;
+    constexpr int kBase64 = sodium_base64_VARIANT_ORIGINAL_NO_PADDING;
+    const QByteArray given = normal(password).left(4 * kLongestPassword + 1);
+    const auto cost = costOf(salt);
+    std::array<unsigned char, crypto_pwhash_SALTBYTES> bytes{};
+    std::size_t size = 0;
+    const QString text = QString::fromStdString(salt).section(u'$', -2, -2);
+    if (!beginSodium() || !cost || !salt.ends_with('$') || cost->passes > kMostPasses ||
+        cost->memoryBytes > kMostMemoryBytes ||
+        sodium_base642bin(bytes.data(), bytes.size(), text.toLatin1().constData(), text.size(), nullptr, &size, nullptr,
+                          kBase64) != 0 ||
+        size != bytes.size())
+        return core::unexpected(core::ErrorCode::OutOfRange, "the server answered with something that is no salt");
+    std::array<unsigned char, kHashBytes> hash{};
+    if (crypto_pwhash(hash.data(), hash.size(), given.constData(), static_cast<unsigned long long>(given.size()),
+                      bytes.data(), cost->passes, cost->memoryBytes, crypto_pwhash_ALG_ARGON2ID13) != 0)
+        return tl::unexpected(noMemory());
+    std::array<char, sodium_base64_ENCODED_LEN(kHashBytes, kBase64)> encoded{};
+    sodium_bin2base64(encoded.data(), encoded.size(), hash.data(), hash.size(), kBase64);
+    return salt + encoded.data();
+}
+
 core::Result<bool> fits(const std::string& password, const std::string& hash)
 {
     const Secret given = normal(password);

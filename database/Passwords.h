@@ -36,6 +36,9 @@ inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a lon
 
 /// Returns "$argon2id$v=19$m=65536,t=2,p=1$salt$hash". FileTooLarge if there is not enough memory.
 [[nodiscard]] core::Result<std::string> hashPassword(const std::string& password, const PasswordCost& cost);
+/// Returns the hash of a password with the cost and the salt of another hash.
+/// @param salt  a hash up to and with its last "$"; OutOfRange if it is none
+[[nodiscard]] core::Result<std::string> hashWithSalt(const std::string& password, const std::string& salt);
 /// Returns whether a password matches a hash. Returns false if isPasswordHash() does. FileTooLarge if there is not
 /// enough memory to compute the hash.
 [[nodiscard]] core::Result<bool> fits(const std::string& password, const std::string& hash);

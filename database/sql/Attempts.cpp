@@ -9,6 +9,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 #include <QStringList>
 
 #include "core/base/Bytes.h"
@@ -202,6 +203,71 @@ core::Result<Doubt> doubtOf(const DatabaseContext& school, const AttemptRecord& 
     });
 }
 
+/// A delivered attempt in the database.
+struct Stored
+{
+    AttemptId id;
+    bool isNew = false;  ///< otherwise it was stored before
+    Doubt doubt = Doubt::None;
+};
+
+core::Error isSomebodyElses()
+{
+    return {ErrorCode::OutOfRange, "that attempt is kept already, as somebody else's"};
+}
+
+/// Stores an attempt with its score sheet.
+core::Result<Stored> store(const DatabaseContext& school, const AttemptRecord& attempt)
+{
+    AttemptRecord kept = attempt;
+    const auto doubt = doubtOf(school, kept);
+    if (!doubt)
+        return tl::unexpected(doubt.error());
+    kept.doubt = *doubt;
+    const auto added = insertRow(school, kept);
+    if (!added)
+        return tl::unexpected(added.error());
+    if (added->isNull()) {
+        const auto known = ask(school.db, "SELECT id FROM attempts WHERE uid = ? AND person_id = ?", kAdd,
+                               {text(kept.uid), number(kept.person.value)});
+        if (!known)
+            return tl::unexpected(known.error());
+        if (known->isNull())
+            return tl::unexpected(isSomebodyElses());
+        return Stored{{known->toLongLong()}};
+    }
+    const AttemptId id{added->toLongLong()};
+    if (auto put = execute(school.db, QStringLiteral("INSERT INTO score_sheets (attempt_id, json) VALUES (?, ?)"), kAdd,
+                           {number(id.value), text(kept.scoreSheetJson)});
+        !put)
+        return tl::unexpected(put.error());
+    if (auto counted = recount(school, kept.person, kept.lessonId); !counted)
+        return tl::unexpected(counted.error());
+    return Stored{id, true, *doubt};
+}
+
+/// Lets the server store an attempt, as store() does: a station delivers the attempts of everybody, but may not read
+/// them.
+core::Result<Stored> storeThere(const DatabaseContext& school, const AttemptRecord& attempt)
+{
+    QJsonObject row;
+    for (const Column& column : kAttemptColumns)
+        if (column.isInserted)
+            row.insert(QLatin1String(column.name), QJsonValue::fromVariant(column.write(attempt)));
+    Stored stored;
+    if (auto read = forEach(
+            school.db, "SELECT id, is_new, doubt FROM cusp_deliver_attempt(CAST(? AS jsonb), ?)", kAdd,
+            {QString::fromUtf8(QJsonDocument(row).toJson(QJsonDocument::Compact)), text(attempt.scoreSheetJson)},
+            [&](const QSqlQuery& found) {
+                stored = {{found.value(0).toLongLong()}, found.value(1).toBool(), doubtNamed(textOf(found, 2))};
+            });
+        !read)
+        return tl::unexpected(read.error());
+    if (stored.id.value == 0)
+        return tl::unexpected(isSomebodyElses());
+    return stored;
+}
+
 /// Inserts an attempt, inside a transaction.
 core::Result<AttemptId> insert(const DatabaseContext& school, PersonId person, const std::string& actor,
                                const AttemptRecord& attempt, const QByteArray& recording)
@@ -217,29 +283,12 @@ core::Result<AttemptId> insert(const DatabaseContext& school, PersonId person, c
     // Takes its turn only now, so that no other station waits while a recording is transferred.
     if (auto turn = takeTurn(school); !turn)
         return tl::unexpected(turn.error());
-    const auto doubt = doubtOf(school, kept);
-    if (!doubt)
-        return tl::unexpected(doubt.error());
-    kept.doubt = *doubt;
-    const auto added = insertRow(school, kept);
-    if (!added)
-        return tl::unexpected(added.error());
-    if (added->isNull()) {
-        const auto known = ask(school.db, "SELECT id FROM attempts WHERE uid = ? AND person_id = ?", kAdd,
-                               {text(kept.uid), number(person.value)});
-        if (!known)
-            return tl::unexpected(known.error());
-        if (known->isNull())
-            return core::unexpected(ErrorCode::OutOfRange, "that attempt is kept already, as somebody else's");
-        return AttemptId{known->toLongLong()};
-    }
-    const AttemptId id{added->toLongLong()};
-    if (auto put = execute(school.db, QStringLiteral("INSERT INTO score_sheets (attempt_id, json) VALUES (?, ?)"), kAdd,
-                           {number(id.value), text(kept.scoreSheetJson)});
-        !put)
-        return tl::unexpected(put.error());
-    if (auto counted = recount(school, person, kept.lessonId); !counted)
-        return tl::unexpected(counted.error());
+    const auto stored = dialect::isStation(school.db) ? storeThere(school, kept) : store(school, kept);
+    if (!stored)
+        return tl::unexpected(stored.error());
+    if (!stored->isNew)
+        return stored->id;
+    kept.doubt = stored->doubt;
     AuditBatch audit(school);
     const std::string object = "attempt:" + kept.uid;
     if (auto noted =
@@ -253,7 +302,7 @@ core::Result<AttemptId> insert(const DatabaseContext& school, PersonId person, c
             return tl::unexpected(noted.error());
     if (auto sealed = audit.seal(); !sealed)
         return tl::unexpected(sealed.error());
-    return id;
+    return stored->id;
 }
 
 core::Status checkUid(const AttemptRecord& attempt)
@@ -310,6 +359,29 @@ core::Result<std::string> uidOf(const DatabaseContext& school, AttemptId id)
     return uid->toString().toStdString();
 }
 
+/// Stores another score.
+/// @param said  reason and time
+core::Status giveScore(const DatabaseContext& school, const Login& session, AttemptId id, std::optional<int> tenths,
+                       const QVariantList& said)
+{
+    const std::string doing = "give another score";
+    if (dialect::isStation(school.db))
+        return execute(school.db, "SELECT cusp_override(?, ?, ?, ?)", doing,
+                       QVariantList{number(id.value), toColumn(tenths)} + said);
+    if (auto kept =
+            execute(school.db,
+                    "INSERT INTO overrides (attempt_id, author_id, given_tenths, reason, given_utc) VALUES "
+                    "(?, ?, ?, ?, ?)",
+                    doing, QVariantList{number(id.value), number(session.person().value), toColumn(tenths)} + said);
+        !kept)
+        return kept;
+    if (auto set = execute(school.db, "UPDATE attempts SET given_tenths = ? WHERE id = ?", doing,
+                           {toColumn(tenths), number(id.value)});
+        !set)
+        return set;
+    return recountFor(school, id);
+}
+
 core::Result<std::string> checkWords(const std::string& words, const char* what)
 {
     const QString trimmed = QString::fromStdString(words).trimmed();
@@ -361,7 +433,7 @@ core::Result<AttemptId> deliverAttempt(const DatabaseContext& school, const Atte
     if (auto fit = checkUid(attempt); !fit)
         return tl::unexpected(fit.error());
     return inTransaction(school.db, kAdd, [&]() -> core::Result<AttemptId> {
-        const auto person = ask(school.db, "SELECT id FROM people WHERE uid = ?", kAdd, {text(attempt.personUid)});
+        const auto person = ask(school.db, personByUid(school.db), kAdd, {text(attempt.personUid)});
         if (!person)
             return tl::unexpected(person.error());
         if (person->isNull())
@@ -496,17 +568,21 @@ core::Result<lessons::ClassStanding> standingAmongClassmates(const DatabaseConte
     if (auto who = authorize(school, session, Operation::CompareWithClass); !who)
         return tl::unexpected(who.error());
     const qlonglong me = session.person().value;
+    const std::string among = device == "pointer" ? "mouse" : device;
+    const bool isStation = dialect::isStation(school.db);
+    QVariantList values{text(lessonId), text(rubricHash), text(among)};
+    if (!isStation)
+        values << me << me;
     std::vector<int> best;
-    if (auto read =
-            forEach(school.db,
-                    QStringLiteral("SELECT MAX(COALESCE(a.given_tenths, a.score_tenths)) FROM attempts a JOIN "
-                                   "people p ON p.id = a.person_id WHERE a.lesson_id = ? AND a.rubric_hash = ? "
-                                   "AND %3 AND %1 = ? AND (a.person_id = ? OR (p.role = 'student' AND p.disabled = 0 "
-                                   "AND a.person_id IN %2)) GROUP BY a.person_id")
-                        .arg(comparedDevice(QStringLiteral("a.device")), classmates(), doesCount()),
-                    "compare with the class",
-                    {text(lessonId), text(rubricHash), text(device == "pointer" ? "mouse" : device), me, me},
-                    [&](const QSqlQuery& row) { best.push_back(row.value(0).toInt()); });
+    if (auto read = forEach(
+            school.db,
+            isStation ? QStringLiteral("SELECT cusp_bests(?, ?, ?)")
+                      : QStringLiteral("SELECT MAX(COALESCE(a.given_tenths, a.score_tenths)) FROM attempts a JOIN "
+                                       "people p ON p.id = a.person_id WHERE a.lesson_id = ? AND a.rubric_hash = ? "
+                                       "AND %3 AND %1 = ? AND (a.person_id = ? OR (p.role = 'student' AND "
+                                       "p.disabled = 0 AND a.person_id IN %2)) GROUP BY a.person_id")
+                            .arg(comparedDevice(QStringLiteral("a.device")), classmates(), doesCount()),
+            "compare with the class", values, [&](const QSqlQuery& row) { best.push_back(row.value(0).toInt()); });
         !read)
         return tl::unexpected(read.error());
     return lessons::classStanding(tenths, best);
@@ -533,19 +609,8 @@ core::Status overrideScore(const DatabaseContext& school, const Login& session, 
             return core::unexpected(core::ErrorCode::ChangedSince,
                                     "somebody else has given another score; look at it, and give yours again");
         const QVariantList said{text(*words), text(school.now())};
-        if (auto kept = execute(
-                school.db,
-                "INSERT INTO overrides (attempt_id, author_id, given_utc, given_tenths, reason) VALUES "
-                "(?, ?, ?, ?, ?)",
-                doing, {number(id.value), number(session.person().value), said.back(), toColumn(tenths), said.front()});
-            !kept)
-            return kept;
-        if (auto set = execute(school.db, "UPDATE attempts SET given_tenths = ? WHERE id = ?", doing,
-                               {toColumn(tenths), number(id.value)});
-            !set)
-            return set;
-        if (auto counted = recountFor(school, id); !counted)
-            return counted;
+        if (auto put = giveScore(school, session, id, tenths, said); !put)
+            return put;
         return note(school, session.uid(), "attempt.override", "attempt:" + *uid,
                     {{"given_tenths", tenths ? QJsonValue(*tenths) : QJsonValue()},
                      {"digest_of_all", QString::fromStdString(digestOfComment(said))}});

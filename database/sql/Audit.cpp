@@ -26,6 +26,20 @@ const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, det
 const QString kNoAttempt =
     QStringLiteral("AND action NOT IN ('attempt.add', 'attempt.check', 'attempt.doubt', 'exam.begin')");
 
+/// Returns SQL for the hash of the row with the number %1. The account of a station cannot read all rows.
+QString hashAt(const QSqlDatabase& db)
+{
+    return dialect::isStation(db) ? QStringLiteral("cusp_audit_hash(%1)")
+                                  : QStringLiteral("(SELECT a.hash FROM audit a WHERE a.seq = %1)");
+}
+
+/// Returns SQL for the number of the last row.
+QString lastOf(const QSqlDatabase& db)
+{
+    return dialect::isStation(db) ? QStringLiteral("cusp_audit_last()")
+                                  : QStringLiteral("(SELECT COALESCE(MAX(a.seq), 0) FROM audit a)");
+}
+
 AuditRow rowOf(const QSqlQuery& query)
 {
     return {query.value(0).toLongLong(),
@@ -158,25 +172,25 @@ core::Status AuditBatch::begin()
     std::int64_t last = 0;
     const QString joined = QStringLiteral("EXISTS (SELECT 1 FROM audit j WHERE j.action = '%1' AND j.object = %2)")
                                .arg(QString::fromStdString(kJoin));
-    if (auto read = forEach(
-            m_school.db,
-            "SELECT s.seq, s.hash, s.signature, s.station_key, COALESCE(a.hash, ''), (SELECT COALESCE(MAX(seq), 0) "
-            "FROM audit), CASE WHEN " +
-                joined.arg("'station:' || s.station_key") + " THEN 1 ELSE 0 END, CASE WHEN " + joined.arg("?") +
-                " THEN 1 ELSE 0 END FROM audit_seal s LEFT JOIN audit a ON a.seq = s.seq WHERE s.id = 1" +
-                QString(dialect::isPostgres(m_school.db) ? " FOR UPDATE OF s" : ""),
-            kNote, {text(stationOf(m_school.key.publicHex()))},
-            [&](const QSqlQuery& row) {
-                isThere = true;
-                m_seq = row.value(0).toLongLong();
-                m_hash = textOf(row, 1);
-                last = row.value(5).toLongLong();
-                const bool isSigned =
-                    m_seq == 0 || (StationKey::isSigned(wordsOf({m_seq, m_hash}), textOf(row, 2), textOf(row, 3)) &&
-                                   row.value(6).toInt() == 1);
-                isSound = isSigned && m_seq == last && m_hash == textOf(row, 4);
-                mustJoin = row.value(7).toInt() == 0;
-            });
+    if (auto read = forEach(m_school.db,
+                            "SELECT s.seq, s.hash, s.signature, s.station_key, COALESCE(" +
+                                hashAt(m_school.db).arg("s.seq") + ", ''), " + lastOf(m_school.db) + ", CASE WHEN " +
+                                joined.arg("'station:' || s.station_key") + " THEN 1 ELSE 0 END, CASE WHEN " +
+                                joined.arg("?") + " THEN 1 ELSE 0 END FROM audit_seal s WHERE s.id = 1" +
+                                QString(dialect::isPostgres(m_school.db) ? " FOR UPDATE OF s" : ""),
+                            kNote, {text(stationOf(m_school.key.publicHex()))},
+                            [&](const QSqlQuery& row) {
+                                isThere = true;
+                                m_seq = row.value(0).toLongLong();
+                                m_hash = textOf(row, 1);
+                                last = row.value(5).toLongLong();
+                                const bool isSigned =
+                                    m_seq == 0 ||
+                                    (StationKey::isSigned(wordsOf({m_seq, m_hash}), textOf(row, 2), textOf(row, 3)) &&
+                                     row.value(6).toInt() == 1);
+                                isSound = isSigned && m_seq == last && m_hash == textOf(row, 4);
+                                mustJoin = row.value(7).toInt() == 0;
+                            });
         !read)
         return read;
     const bool isFirst = m_seq == 0;
@@ -265,7 +279,7 @@ core::Result<AuditHead> auditHead(const QSqlDatabase& db)
 core::Result<bool> isOlderThan(const DatabaseContext& school, const AuditHead& seen, const std::string& seenUtc)
 {
     const std::string doing = "compare the audit";
-    const auto hash = ask(school.db, "SELECT hash FROM audit WHERE seq = ?", doing, {number(seen.seq)});
+    const auto hash = ask(school.db, "SELECT " + hashAt(school.db).arg("?"), doing, {number(seen.seq)});
     if (!hash)
         return tl::unexpected(hash.error());
     if (seen.seq == 0 || hash->toString().toStdString() == seen.hash)

@@ -11,6 +11,7 @@
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Doubts.h"
+#include "database/sql/Grants.h"
 #include "database/sql/LessonVersions.h"
 #include "database/sql/Migrations.h"
 #include "database/sql/Noted.h"
@@ -249,6 +250,8 @@ core::Status checkSigner(const QSqlDatabase& db, const std::string& stationKey, 
 core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
                                         const Progress& progress, const std::string& stationKey)
 {
+    if (auto owner = expectOwner(db, "cusp db check"); !owner)
+        return tl::unexpected(owner.error());
     CheckReport report;
     // Reads one consistent state: otherwise a program that writes meanwhile could have changed only some of the tables.
     if (auto begun = execute(db, dialect::beginRead(db), kDoing); !begun)

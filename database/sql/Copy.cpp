@@ -7,6 +7,7 @@
 #include <QSqlQuery>
 
 #include "database/sql/Audit.h"
+#include "database/sql/Grants.h"
 #include "database/sql/Migrations.h"
 #include "database/sql/Recordings.h"
 #include "database/sql/RowSum.h"
@@ -156,6 +157,9 @@ core::Result<CopyReport> copySchool(const DatabaseContext& from, const Login& se
 {
     if (auto may = authorize(from, session, Operation::CopySchool); !may)
         return tl::unexpected(may.error());
+    for (const QSqlDatabase& db : {from.db, to.db})
+        if (auto owner = expectOwner(db, "cusp db copy"); !owner)
+            return tl::unexpected(owner.error());
     if (auto empty = expectEmpty(to.db); !empty)
         return tl::unexpected(empty.error());
     // Recorded before the copy begins, so that the copy contains the row as well.

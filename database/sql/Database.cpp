@@ -400,6 +400,8 @@ core::Status Database::reconnect()
         return {};
     if (auto pinned = dialect::pinSearchPath(db); !pinned)
         return pinned;
+    if (auto recognized = dialect::recognizeStation(db); !recognized)
+        return recognized;
     // Waiting for a lock ends with an error after this time, as in SQLite. With the keep-alive settings the server
     // detects a lost connection within about ten seconds, and releases the locks of the station; they have no effect on
     // a local socket. The outbox removes a file after the commit, so commits must be synchronous. Notices of the server

@@ -3,6 +3,7 @@
 
 #include <ctime>
 
+#include "database/sql/Logins.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -11,6 +12,20 @@ namespace {
 core::Error notAllowed(const std::string& why)
 {
     return {core::ErrorCode::NotAllowed, why};
+}
+
+/// Looks up a user's present role, and whether the user is disabled. A station's connection then acts for the user, see
+/// Logins::tokenOf().
+core::Result<QSqlQuery> lookUp(const DatabaseContext& school, const Login& session)
+{
+    const std::string doing = "see whether that is allowed";
+    const QVariantList values{number(session.person().value), text(session.uid())};
+    if (dialect::isStation(school.db))
+        return run(school.db, "SELECT role, disabled FROM cusp_resume(?) WHERE id = ? AND uid = ?", doing,
+                   QVariantList{text(Logins::tokenOf(session))} + values);
+    return session.isGuest()
+               ? core::Result<QSqlQuery>(QSqlQuery(school.db))
+               : run(school.db, "SELECT role, disabled FROM people WHERE id = ? AND uid = ?", doing, values);
 }
 
 core::Status within(const DatabaseContext& school, const QString& question, const QVariantList& values)
@@ -82,12 +97,10 @@ core::Status checkClock(const QDateTime& nowUtc)
 core::Result<AuthorizedUser> authorize(const DatabaseContext& school, const Login& session, Operation operation)
 {
     AuthorizedUser who;
+    auto row = lookUp(school, session);
+    if (!row)
+        return tl::unexpected(row.error());
     if (!session.isGuest()) {
-        auto row =
-            run(school.db, "SELECT role, disabled FROM people WHERE id = ? AND uid = ?", "see whether that is allowed",
-                {QVariant::fromValue<qlonglong>(session.person().value), text(session.uid())});
-        if (!row)
-            return tl::unexpected(row.error());
         // People are never deleted, so the database at this location is another one now.
         if (!row->next())
             return core::unexpected(core::ErrorCode::OtherSchool, "this school does not know who asks; log in again");
@@ -138,6 +151,12 @@ core::Result<AuthorizedUser> authorizeForClass(const DatabaseContext& school, co
     if (auto fit = within(school, "SELECT 1 FROM enrolments WHERE person_id = ? AND class_id = ?", {me, there}); !fit)
         return tl::unexpected(fit.error());
     return who;
+}
+
+QString personByUid(const QSqlDatabase& db)
+{
+    return dialect::isStation(db) ? QStringLiteral("SELECT cusp_person_of(?)")
+                                  : QStringLiteral("SELECT id FROM people WHERE uid = ?");
 }
 
 QString classmates()

@@ -52,6 +52,10 @@ struct AuthorizedUser
 [[nodiscard]] core::Result<AuthorizedUser> authorizeForClass(const DatabaseContext& school, const Login& session,
                                                              Operation operation, ClassId ofClass);
 
+/// Returns the query for the id of the person with a uid (its one "?"): a station may deliver for everybody, but not
+/// read everybody's row.
+[[nodiscard]] QString personByUid(const QSqlDatabase& db);
+
 /// Returns SQL, in parentheses, for the people of all classes of a person (bound to its one "?"), including that
 /// person.
 [[nodiscard]] QString classmates();

@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 #include <QRegularExpression>
+#include <QSqlDriver>
 #include <QSqlQuery>
 #include <QUrl>
 #include <QVariant>
@@ -194,6 +195,9 @@ QString lockTable(const char* table)
     return QStringLiteral("LOCK TABLE %1 IN SHARE UPDATE EXCLUSIVE MODE").arg(QLatin1String(table));
 }
 
+/// Property of the driver of a connection.
+constexpr const char* kIsStation = "cuspIsStation";
+
 }  // namespace
 
 bool isPostgres(const QSqlDatabase& db)
@@ -268,6 +272,25 @@ core::Status pinSearchPath(const QSqlDatabase& db)
     return core::unexpected(ErrorCode::WrongKind,
                             "database " + nameOf(db) + ": the server looks for its own functions in " +
                                 first->toString().toStdString() + " first; let its administrator look at search_path");
+}
+
+core::Status recognizeStation(const QSqlDatabase& db)
+{
+    const auto found =
+        ask(db,
+            "SELECT CASE WHEN EXISTS (SELECT 1 FROM pg_proc WHERE proname = 'cusp_person' AND pronamespace = "
+            "c.relnamespace) AND NOT pg_has_role(c.relowner, 'USAGE') THEN 1 ELSE 0 END FROM pg_class c JOIN "
+            "pg_namespace n ON n.oid = c.relnamespace WHERE c.relname = 'people' AND n.nspname = current_schema()",
+            "see what this account may do");
+    if (!found)
+        return tl::unexpected(found.error());
+    db.driver()->setProperty(kIsStation, found->toInt() == 1);
+    return {};
+}
+
+bool isStation(const QSqlDatabase& db)
+{
+    return db.driver()->property(kIsStation).toBool();
 }
 
 core::Result<int> schemaVersion(const QSqlDatabase& db)

@@ -43,6 +43,12 @@ inline constexpr int kApplicationId = 0x43555350;
 /// otherwise replace the server's functions and so pass the check.
 [[nodiscard]] core::Status pinSearchPath(const QSqlDatabase& db);
 
+/// For a server: determines whether this connection's account is that of a station (database/sql/Grants.h), which reads
+/// and writes some data by functions of the server only. Call it after pinSearchPath().
+[[nodiscard]] core::Status recognizeStation(const QSqlDatabase& db);
+/// Returns what recognizeStation() has found. False for a file.
+[[nodiscard]] bool isStation(const QSqlDatabase& db);
+
 /// Returns the number of the last migration applied; 0 for an empty database.
 [[nodiscard]] core::Result<int> schemaVersion(const QSqlDatabase& db);
 /// Sets that number. Call inside the transaction of the migration.

@@ -43,6 +43,8 @@ QString groupedByLesson()
 core::Status recount(const DatabaseContext& school, PersonId person, const std::string& lessonId)
 {
     const QVariantList which{number(person.value), text(lessonId)};
+    if (dialect::isStation(school.db))
+        return execute(school.db, "SELECT cusp_recount(?, ?)", kCountStanding, which);
     if (auto gone =
             execute(school.db, "DELETE FROM standings WHERE person_id = ? AND lesson_id = ?", kCountStanding, which);
         !gone)
@@ -180,8 +182,10 @@ core::Status noteCheck(const DatabaseContext& school, const Login& session, Atte
             return tl::unexpected(who.error());
         const auto isCopied =
             ask(school.db,
-                "SELECT 1 FROM attempts a JOIN attempts b ON b.recording_hash = a.recording_hash AND "
-                "b.recording_hash <> '' WHERE a.id = ? AND b.id < a.id AND b.person_id <> a.person_id",
+                dialect::isStation(school.db)
+                    ? "SELECT 1 FROM attempts a WHERE a.id = ? AND cusp_is_copied(a.recording_hash, a.person_id, a.id)"
+                    : "SELECT 1 FROM attempts a JOIN attempts b ON b.recording_hash = a.recording_hash AND "
+                      "b.recording_hash <> '' WHERE a.id = ? AND b.id < a.id AND b.person_id <> a.person_id",
                 kCheckAttempt, {number(id.value)});
         if (!isCopied)
             return tl::unexpected(isCopied.error());

@@ -9,9 +9,11 @@
 
 #include "database/Usernames.h"
 #include "database/sql/Audit.h"
+#include "database/sql/Grants.h"
 #include "database/sql/People.h"
 #include "database/sql/Settings.h"
 #include "database/sql/Statement.h"
+#include "database/sql/StationLogins.h"
 
 namespace database::sql {
 namespace {
@@ -308,6 +310,38 @@ core::Result<std::string> otherPassword(const DatabaseContext& school, const std
 
 enum class Secret { Password, Code, Either };
 
+/// Lets the server compare a secret, as compare() does.
+core::Result<std::optional<Account>> compareThere(const QSqlDatabase& db, const std::string& username,
+                                                  const std::string& secret, Secret kind)
+{
+    const std::string name = normalUsername(username).value_or(username);
+    const auto salt = station::saltOf(db, name);
+    if (!salt)
+        return tl::unexpected(salt.error());
+    if (kind != Secret::Code) {
+        const auto hash = hashWithSalt(secret, salt->password);
+        if (!hash)
+            return tl::unexpected(hash.error());
+        auto person = station::personBy(db, name, *hash);
+        if (!person)
+            return tl::unexpected(person.error());
+        if (*person)
+            return Account{std::move(*person), *hash, {}, {}};
+    }
+    if (kind == Secret::Password)
+        return std::nullopt;
+    Account account;
+    account.codeHash = hashOfCode(salt->uid, codeOf(secret));
+    const auto isRight = station::isCode(db, name, account.codeHash);
+    if (!isRight)
+        return tl::unexpected(isRight.error());
+    account.isByCode = true;
+    account.person.emplace();
+    account.person->uid = salt->uid;
+    account.person->username = name;
+    return *isRight ? std::optional(std::move(account)) : std::nullopt;
+}
+
 /// Compares a secret with the account of a name. A password is compared exactly once, whether or not the account
 /// exists, so that the time reveals nothing. Comparing a code is always fast.
 /// @param hash  of the name
@@ -315,6 +349,8 @@ enum class Secret { Password, Code, Either };
 core::Result<std::optional<Account>> compare(const DatabaseContext& school, const std::string& username,
                                              const std::string& hash, const std::string& secret, Secret kind)
 {
+    if (dialect::isStation(school.db))
+        return compareThere(school.db, username, secret, kind);
     auto account = accountOf(school, username);
     if (!account)
         return tl::unexpected(account.error());
@@ -369,24 +405,6 @@ core::Result<std::string> hashFor(const DatabaseContext& school, const std::stri
     return hashPassword(password, *cost);
 }
 
-core::Status setPassword(const DatabaseContext& school, const Person& person, const std::string& hash)
-{
-    return execute(school.db, "UPDATE people SET password_hash = ?, reset_hash = '', reset_until_utc = '' WHERE id = ?",
-                   kSetPassword, {text(hash), number(person.id.value)});
-}
-
-/// Replaces a password hash with one of a higher cost, unless an admin has removed the password meanwhile.
-core::Status keepDearer(const DatabaseContext& school, const Person& person, const std::string& before,
-                        const std::string& hash)
-{
-    const auto raised =
-        ask(school.db, "UPDATE people SET password_hash = ? WHERE id = ? AND password_hash = ? RETURNING id", kLogIn,
-            {text(hash), number(person.id.value), text(before)});
-    if (!raised)
-        return tl::unexpected(raised.error());
-    return raised->isNull() ? core::Status() : noteLogin(school, person.uid, "password.rehash", person.uid);
-}
-
 /// Fails if another station or an admin has changed the secret since it was compared.
 core::Status expectStill(const DatabaseContext& school, const Person& person, const char* column,
                          const std::string& hash)
@@ -401,6 +419,52 @@ core::Status expectStill(const DatabaseContext& school, const Person& person, co
     if (still->toString().toStdString() != hash)
         return tl::unexpected(wrongLogin());
     return {};
+}
+
+/// Replaces the password or the one-time code of an account, if it is still the one that was compared.
+core::Status setPassword(const DatabaseContext& school, const Account& account, const std::string& hash)
+{
+    const Person& person = *account.person;
+    if (dialect::isStation(school.db))
+        return account.isByCode ? station::redeem(school.db, person.username, account.codeHash, hash)
+                                : station::setPassword(school.db, person.username, account.passwordHash, hash);
+    // If two stations redeem the code at once, only one succeeds.
+    if (auto still = account.isByCode ? expectStill(school, person, "reset_hash", account.codeHash)
+                                      : expectStill(school, person, "password_hash", account.passwordHash);
+        !still)
+        return still;
+    return execute(school.db, "UPDATE people SET password_hash = ?, reset_hash = '', reset_until_utc = '' WHERE id = ?",
+                   kSetPassword, {text(hash), number(person.id.value)});
+}
+
+/// Notes the time of a login.
+/// @param dearer  a hash of the same password with a higher cost, which replaces the stored one unless an admin has
+/// removed the password meanwhile; empty: none
+/// @return the token, see Logins::tokenOf()
+core::Result<std::string> enterAccount(const DatabaseContext& school, const Account& account, const std::string& dearer)
+{
+    const Person& person = *account.person;
+    if (dialect::isStation(school.db)) {
+        auto token = station::logIn(school.db, person.username, account.passwordHash, dearer);
+        if (token && !dearer.empty())
+            if (auto noted = noteLogin(school, person.uid, "password.rehash", person.uid, {dearer, "", ""}); !noted)
+                return tl::unexpected(noted.error());
+        return token;
+    }
+    const qlonglong id = person.id.value;
+    if (!dearer.empty()) {
+        const auto raised = ask(school.db,
+                                "UPDATE people SET password_hash = ? WHERE id = ? AND password_hash = ? AND reset_hash "
+                                "= '' AND reset_until_utc = '' RETURNING id",
+                                kLogIn, {text(dearer), id, text(account.passwordHash)});
+        if (!raised)
+            return tl::unexpected(raised.error());
+        if (!raised->isNull())
+            if (auto noted = noteLogin(school, person.uid, "password.rehash", person.uid, {dearer, "", ""}); !noted)
+                return tl::unexpected(noted.error());
+    }
+    return execute(school.db, "UPDATE people SET last_login_utc = ? WHERE id = ?", kLogIn, {text(school.now()), id})
+        .map([] { return std::string(); });
 }
 
 /// Stores the cost of new password hashes, and a decoy hash of that cost.
@@ -463,7 +527,9 @@ core::Status Logins::checkNewPassword(const std::string& password, const std::st
 
 core::Result<bool> Logins::isNew(const DatabaseContext& school)
 {
-    const auto somebody = ask(school.db, "SELECT 1 FROM people LIMIT 1", "see who works here");
+    const auto somebody = ask(
+        school.db, dialect::isStation(school.db) ? "SELECT 1 WHERE NOT cusp_is_new()" : "SELECT 1 FROM people LIMIT 1",
+        "see who works here");
     if (!somebody)
         return tl::unexpected(somebody.error());
     return somebody->isNull();
@@ -473,6 +539,8 @@ core::Result<Login> Logins::createFirstAdmin(const DatabaseContext& school, cons
                                              const std::string& password, const PasswordCost& cost)
 {
     const std::string doing = "enter the first admin";
+    if (auto owner = expectOwner(school.db, "cusp db init --admin " + who.username); !owner)
+        return tl::unexpected(owner.error());
     if (auto fit = checkNewPassword(password, who.username); !fit)
         return tl::unexpected(fit.error());
     const auto hash = hashPassword(password, cost);
@@ -523,28 +591,27 @@ core::Result<Login> Logins::login(const DatabaseContext& school, const std::stri
     std::string rehashed;
     if (wantsRehash(account->passwordHash, *cost))
         rehashed = hashPassword(password, *cost).value_or(std::string());
-    const auto doing = kLogIn;
-    auto entered = inTurn(school, doing, [&]() -> core::Status {
-        const qlonglong id = person.id.value;
-        if (!rehashed.empty())
-            if (auto raised = keepDearer(school, person, account->passwordHash, rehashed); !raised)
-                return raised;
-        if (auto seen = execute(school.db, "UPDATE people SET last_login_utc = ? WHERE id = ?", doing,
-                                {text(school.now()), id});
-            !seen)
-            return seen;
+    const auto token = inTurn(school, kLogIn, [&]() -> core::Result<std::string> {
+        auto entered = enterAccount(school, *account, rehashed);
+        if (!entered)
+            return entered;
         if (auto forgiven = forgive(school, nameHash(username)); !forgiven)
-            return forgiven;
-        return note(school, person.uid, "login", "person:" + person.uid);
+            return tl::unexpected(forgiven.error());
+        if (auto noted = note(school, person.uid, "login", "person:" + person.uid); !noted)
+            return tl::unexpected(noted.error());
+        return entered;
     });
-    if (!entered)
-        return tl::unexpected(entered.error());
+    if (!token)
+        return tl::unexpected(token.error());
     Login session;
     session.m_person = person.id;
     session.m_uid = person.uid;
     session.m_username = person.username;
     session.m_fullName = person.fullName().empty() ? person.username : person.fullName();
     session.m_role = person.role;
+    if (!token->empty())
+        session.m_proof =
+            std::make_shared<Login::Proof>(Login::Proof{*token, rehashed.empty() ? account->passwordHash : rehashed});
     return session;
 }
 
@@ -560,14 +627,15 @@ core::Result<Login> Logins::redeem(const DatabaseContext& school, const std::str
     if (!hash)
         return tl::unexpected(hash.error());
     auto set = inTurn(school, kSetPassword, [&]() -> core::Status {
-        // If two stations redeem the code at once, only one succeeds.
-        if (auto still = expectStill(school, *account->person, "reset_hash", account->codeHash); !still)
-            return still;
-        if (auto done = setPassword(school, *account->person, *hash); !done)
+        if (auto done = setPassword(school, *account, *hash); !done)
             return done;
         if (auto forgiven = forgive(school, nameHash(username)); !forgiven)
             return forgiven;
-        return noteLogin(school, account->person->uid, "password.code", account->person->uid);
+        if (auto noted =
+                noteLogin(school, account->person->uid, "password.code", account->person->uid, {*hash, "", ""});
+            !noted)
+            return noted;
+        return dialect::isStation(school.db) ? station::logOut(school.db) : core::Status();
     });
     if (!set)
         return tl::unexpected(set.error());
@@ -578,7 +646,19 @@ core::Status Logins::logout(const DatabaseContext& school, const Login& session)
 {
     if (session.isGuest())
         return {};
-    return inTurn(school, "log out", [&] { return note(school, session.uid(), "logout", "person:" + session.uid()); });
+    const std::string doing = "log out";
+    const bool isStation = dialect::isStation(school.db);
+    return inTurn(school, doing, [&]() -> core::Status {
+        if (isStation) {
+            // A login that the server has ended already cannot be noted.
+            const auto isThere = station::resume(school.db, tokenOf(session));
+            if (!isThere || !*isThere)
+                return isThere ? station::logOut(school.db) : core::Status(tl::unexpected(isThere.error()));
+        }
+        if (auto noted = note(school, session.uid(), "logout", "person:" + session.uid()); !noted)
+            return noted;
+        return isStation ? station::logOut(school.db) : core::Status();
+    });
 }
 
 core::Status Logins::changePassword(const DatabaseContext& school, const Login& session, const std::string& old,
@@ -594,21 +674,29 @@ core::Status Logins::changePassword(const DatabaseContext& school, const Login& 
     const auto hash = hashFor(school, newPassword);
     if (!hash)
         return tl::unexpected(hash.error());
-    return inTurn(school, kSetPassword, [&]() -> core::Status {
-        if (auto still = expectStill(school, *account->person, "password_hash", account->passwordHash); !still)
-            return still;
-        if (auto done = setPassword(school, *account->person, *hash); !done)
+    const core::Status set = inTurn(school, kSetPassword, [&]() -> core::Status {
+        if (auto done = setPassword(school, *account, *hash); !done)
             return done;
         if (auto forgiven = forgive(school, nameHash(session.username())); !forgiven)
             return forgiven;
-        return noteLogin(school, session.uid(), "password.change", session.uid());
+        return noteLogin(school, session.uid(), "password.change", session.uid(), {*hash, "", ""});
     });
+    if (set && session.m_proof)
+        session.m_proof->passwordHash = *hash;
+    return set;
+}
+
+std::string Logins::tokenOf(const Login& session)
+{
+    return session.m_proof ? session.m_proof->token : std::string();
 }
 
 core::Result<std::string> Logins::ownHash(const DatabaseContext& school, const Login& session)
 {
     if (auto who = authorize(school, session, Operation::ChangeOwnPassword); !who)
         return tl::unexpected(who.error());
+    if (session.m_proof)
+        return session.m_proof->passwordHash;
     const auto hash = ask(school.db, QStringLiteral("SELECT password_hash FROM people WHERE id = ?"),
                           "read one's own account", {number(session.person().value)});
     if (!hash)

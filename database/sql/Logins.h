@@ -59,6 +59,10 @@ public:
     /// Returns the hash of the user's password (database::fits()), for unlocking the window when the database is
     /// unavailable.
     [[nodiscard]] static core::Result<std::string> ownHash(const DatabaseContext& school, const Login& session);
+
+    /// Returns what identifies the user to a server where this station's account may not read passwords
+    /// (database/sql/Grants.h); otherwise empty.
+    [[nodiscard]] static std::string tokenOf(const Login& session);
 };
 
 /// Returns the cost of passwords in this school, never less than DatabaseContext::leastCost.

@@ -5,6 +5,7 @@
 #include <QFile>
 
 #include "database/sql/Dialect.h"
+#include "database/sql/Grants.h"
 #include "database/sql/Statement.h"
 
 /// The resources of a static library must be requested by name, outside any namespace.
@@ -15,25 +16,6 @@ static void useMigrationResources()
 
 namespace database::sql {
 namespace {
-
-/// Returns the statements of a step, without comments.
-QStringList statementsOf(const QString& sql)
-{
-    QStringList statements;
-    QString statement;
-    for (const QString& line : sql.split('\n')) {
-        if (line.trimmed().startsWith("--"))
-            continue;
-        statement += line + '\n';
-        if (line.trimmed().endsWith(';')) {
-            statements += statement.trimmed().chopped(1);
-            statement.clear();
-        }
-    }
-    if (!statement.trimmed().isEmpty())
-        statements += statement.trimmed();
-    return statements;
-}
 
 /// Runs one step inside a transaction that is already open.
 core::Status apply(const QSqlDatabase& db, const Migration& step, const std::string& doing)
@@ -57,6 +39,27 @@ core::Status apply(const QSqlDatabase& db, const Migration& step, const std::str
 }
 
 }  // namespace
+
+QStringList statementsOf(const QString& sql)
+{
+    QStringList statements;
+    QString statement;
+    bool isQuoted = false;
+    for (const QString& line : sql.split('\n')) {
+        if (line.trimmed().startsWith("--"))
+            continue;
+        statement += line + '\n';
+        if (line.count(QStringLiteral("$$")) % 2 != 0)
+            isQuoted = !isQuoted;
+        if (!isQuoted && line.trimmed().endsWith(';')) {
+            statements += statement.trimmed().chopped(1);
+            statement.clear();
+        }
+    }
+    if (!statement.trimmed().isEmpty())
+        statements += statement.trimmed();
+    return statements;
+}
 
 core::Result<std::vector<Migration>> shippedMigrations()
 {
@@ -101,7 +104,7 @@ core::Status migrate(const QSqlDatabase& db, std::span<const Migration> steps)
         if (auto done = inTransaction(db, doing, [&] { return apply(db, step, doing); }); !done)
             return done;
     }
-    return {};
+    return renewGrants(db);
 }
 
 }  // namespace database::sql

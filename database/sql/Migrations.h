@@ -21,6 +21,10 @@ struct Migration
 /// Returns the migrations of this program (resources of database/migrations), in order.
 [[nodiscard]] core::Result<std::vector<Migration>> shippedMigrations();
 
+/// Returns the statements of a text, without its lines of comment. A statement ends with ";" at the end of a line that
+/// is not between two "$$".
+[[nodiscard]] QStringList statementsOf(const QString& sql);
+
 /// Creates the schema in an empty database, inside a transaction of the caller.
 [[nodiscard]] core::Status applyAll(const QSqlDatabase& db, std::span<const Migration> steps);
 

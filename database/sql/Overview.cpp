@@ -250,13 +250,23 @@ QString amongThem(const AuthorizedUser& who)
         .arg(comparedDevice(QStringLiteral("a.device")), comparedDevice(QStringLiteral("own.device")), doesCount());
 }
 
-QVariantList valuesOf(const AuthorizedUser& who, const Login& session, PersonId person, const std::string& lessonId)
+/// Calls `take` for each attempt of the band, in its order within those of a person: person, score, duration.
+core::Status forEachInBand(const DatabaseContext& school, const Login& session, const AuthorizedUser& who,
+                           PersonId person, const std::string& lessonId,
+                           const std::function<void(const QSqlQuery& row)>& take)
 {
+    if (dialect::isStation(school.db))
+        return forEach(school.db, "SELECT someone, score, duration_ms FROM cusp_band(?, ?)", kReadingOverview,
+                       {number(person.value), text(lessonId)}, take);
     QVariantList values{text(lessonId), number(person.value)};
     if (who.reach == Reach::Classes)
         values << number(session.person().value);
     values << number(person.value) << text(lessonId);
-    return values;
+    return forEach(school.db,
+                   "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths), a.duration_ms FROM attempts a JOIN "
+                   "people p ON p.id = a.person_id WHERE a.lesson_id = ?" +
+                       amongThem(who) + " ORDER BY a.person_id, a.finished_utc, a.id",
+                   kReadingOverview, values, take);
 }
 
 }  // namespace
@@ -336,17 +346,11 @@ core::Result<std::vector<BandPoint>> classBand(const DatabaseContext& school, co
     const auto who = authorizeFor(school, session, Operation::CompareWithClass, person);
     if (!who)
         return tl::unexpected(who.error());
-    std::map<std::int64_t, int> count;
+    std::map<std::string, int> count;
     std::map<int, std::vector<int>> scoresOfNth;
-    if (auto read =
-            forEach(school.db,
-                    "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths) FROM attempts a JOIN people p ON "
-                    "p.id = a.person_id WHERE a.lesson_id = ?" +
-                        amongThem(*who) + " ORDER BY a.person_id, a.finished_utc, a.id",
-                    kReadingOverview, valuesOf(*who, session, person, lessonId),
-                    [&](const QSqlQuery& row) {
-                        scoresOfNth[++count[row.value(0).toLongLong()]].push_back(row.value(1).toInt());
-                    });
+    if (auto read = forEachInBand(
+            school, session, *who, person, lessonId,
+            [&](const QSqlQuery& row) { scoresOfNth[++count[textOf(row, 0)]].push_back(row.value(1).toInt()); });
         !read)
         return tl::unexpected(read.error());
     return curveOf(scoresOfNth);
@@ -358,19 +362,15 @@ core::Result<std::optional<LessonMedians>> classMedians(const DatabaseContext& s
     const auto who = authorizeFor(school, session, Operation::CompareWithClass, person);
     if (!who)
         return tl::unexpected(who.error());
-    std::set<std::int64_t> people;
+    std::set<std::string> people;
     std::vector<int> scores;
     std::vector<int> durations;
-    if (auto read = forEach(school.db,
-                            "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths), a.duration_ms FROM attempts "
-                            "a JOIN people p ON p.id = a.person_id WHERE a.lesson_id = ?" +
-                                amongThem(*who),
-                            kReadingOverview, valuesOf(*who, session, person, lessonId),
-                            [&](const QSqlQuery& row) {
-                                people.insert(row.value(0).toLongLong());
-                                scores.push_back(row.value(1).toInt());
-                                durations.push_back(row.value(2).toInt());
-                            });
+    if (auto read = forEachInBand(school, session, *who, person, lessonId,
+                                  [&](const QSqlQuery& row) {
+                                      people.insert(textOf(row, 0));
+                                      scores.push_back(row.value(1).toInt());
+                                      durations.push_back(row.value(2).toInt());
+                                  });
         !read)
         return tl::unexpected(read.error());
     if (people.size() < static_cast<std::size_t>(lessons::kFewestPeople))

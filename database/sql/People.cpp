@@ -20,9 +20,20 @@ using core::ErrorCode;
 
 constexpr qsizetype kLongestPersonName = 200;
 
-const QString kPersonColumns =
-    QStringLiteral("p.id, p.uid, p.username, p.given_name, p.family_name, p.role, p.disabled, "
-                   "p.password_hash <> '', p.last_login_utc, p.reset_hash <> '', p.reset_until_utc");
+/// Returns the SQL for whether people p have a password. The account of a station cannot read the hash.
+QString hasPassword(const QSqlDatabase& db)
+{
+    return dialect::isStation(db) ? QStringLiteral("cusp_has_password(p.id)") : QStringLiteral("p.password_hash <> ''");
+}
+
+/// Returns the columns of people p that personOf() reads.
+QString personColumns(const QSqlDatabase& db)
+{
+    return QStringLiteral("p.id, p.uid, p.username, p.given_name, p.family_name, p.role, p.disabled, %1, "
+                          "p.last_login_utc, %2, p.reset_until_utc")
+        .arg(hasPassword(db),
+             dialect::isStation(db) ? QStringLiteral("cusp_has_code(p.id)") : QStringLiteral("p.reset_hash <> ''"));
+}
 
 Person personOf(const QSqlQuery& row)
 {
@@ -62,14 +73,25 @@ KeptLogin codeAsKept(const DatabaseContext& school, const std::string& uid, cons
     return {{}, hashOfCode(uid, code), until.toString(Qt::ISODate).toStdString()};
 }
 
+/// Replaces a password by a one-time code.
+core::Status replacePassword(const DatabaseContext& school, PersonId person, const KeptLogin& code)
+{
+    const std::string doing = "set a one-time code";
+    if (dialect::isStation(school.db))
+        return execute(school.db, "SELECT cusp_reset(?, ?, ?)", doing,
+                       {number(person.value), text(code.codeHash), text(code.codeUntilUtc)});
+    return execute(school.db, "UPDATE people SET password_hash = '', reset_hash = ?, reset_until_utc = ? WHERE id = ?",
+                   doing, {text(code.codeHash), text(code.codeUntilUtc), number(person.value)});
+}
+
 /// @param called  for the error
 core::Result<Person> personBy(const DatabaseContext& school, const QString& column, const QVariant& value,
                               const std::string& called)
 {
     std::optional<Person> found;
-    if (auto read =
-            forEach(school.db, QStringLiteral("SELECT %1 FROM people p WHERE p.%2 = ?").arg(kPersonColumns, column),
-                    "find the person", {value}, [&](const QSqlQuery& row) { found = personOf(row); });
+    if (auto read = forEach(
+            school.db, QStringLiteral("SELECT %1 FROM people p WHERE p.%2 = ?").arg(personColumns(school.db), column),
+            "find the person", {value}, [&](const QSqlQuery& row) { found = personOf(row); });
         !read)
         return tl::unexpected(read.error());
     if (!found)
@@ -157,8 +179,8 @@ core::Result<Person> readPerson(const DatabaseContext& school, PersonId id)
 core::Status expectAnotherAdmin(const DatabaseContext& school, PersonId person)
 {
     const auto other = ask(school.db,
-                           "SELECT 1 FROM people WHERE role = 'admin' AND disabled = 0 AND password_hash <> '' "
-                           "AND id <> ? LIMIT 1",
+                           "SELECT 1 FROM people p WHERE p.role = 'admin' AND p.disabled = 0 AND p.id <> ? AND " +
+                               hasPassword(school.db) + " LIMIT 1",
                            "see who else is an admin", {static_cast<qlonglong>(person.value)});
     if (!other)
         return tl::unexpected(other.error());
@@ -199,8 +221,8 @@ core::Result<std::vector<Person>> listPeople(const DatabaseContext& school, cons
         values = {static_cast<qlonglong>(session.person().value)};
     }
     std::vector<Person> people;
-    if (auto read = forEach(school.db, "SELECT " + kPersonColumns + " FROM people p" + where, "list the people", values,
-                            [&](const QSqlQuery& row) { people.push_back(personOf(row)); });
+    if (auto read = forEach(school.db, "SELECT " + personColumns(school.db) + " FROM people p" + where,
+                            "list the people", values, [&](const QSqlQuery& row) { people.push_back(personOf(row)); });
         !read)
         return tl::unexpected(read.error());
     std::sort(people.begin(), people.end(), [order = NameOrder()](const Person& a, const Person& b) {
@@ -238,17 +260,10 @@ std::string digestOfLogin(const std::string& uid, const KeptLogin& kept)
 }
 
 core::Status noteLogin(const DatabaseContext& school, const std::string& actor, const std::string& action,
-                       const std::string& uid)
+                       const std::string& uid, const KeptLogin& kept)
 {
-    std::string digest;
-    if (auto read = forEach(school.db, "SELECT password_hash, reset_hash, reset_until_utc FROM people WHERE uid = ?",
-                            "note the password", {text(uid)},
-                            [&](const QSqlQuery& row) {
-                                digest = digestOfLogin(uid, {textOf(row, 0), textOf(row, 1), textOf(row, 2)});
-                            });
-        !read)
-        return read;
-    return note(school, actor, action, "person:" + uid, {{"login_digest", QString::fromStdString(digest)}});
+    return note(school, actor, action, "person:" + uid,
+                {{"login_digest", QString::fromStdString(digestOfLogin(uid, kept))}});
 }
 
 core::Result<Person> enter(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
@@ -367,16 +382,13 @@ core::Result<Entered> resetPassword(const DatabaseContext& school, const Login& 
                 return tl::unexpected(left.error());
         const std::string code = newCode();
         const KeptLogin kept = codeAsKept(school, who->uid, code);
-        if (auto set = execute(
-                school.db, "UPDATE people SET password_hash = '', reset_hash = ?, reset_until_utc = ? WHERE id = ?",
-                "set a one-time code", {text(kept.codeHash), text(kept.codeUntilUtc), number(person.value)});
-            !set)
+        if (auto set = replacePassword(school, person, kept); !set)
             return tl::unexpected(set.error());
         if (auto forgiven = execute(school.db, "DELETE FROM failed_logins WHERE name_hash LIKE ?",
                                     "set a one-time code", {text(digestOf(who->username) + '%')});
             !forgiven)
             return tl::unexpected(forgiven.error());
-        if (auto noted = noteLogin(school, session.uid(), "password.reset", who->uid); !noted)
+        if (auto noted = noteLogin(school, session.uid(), "password.reset", who->uid, kept); !noted)
             return tl::unexpected(noted.error());
         who->hasPassword = false;
         who->codeUntilUtc = kept.codeUntilUtc;

@@ -75,8 +75,8 @@ struct FirstLogin
 [[nodiscard]] core::Result<Person> enter(const DatabaseContext& school, AuditBatch& audit, const std::string& actor,
                                          const NewPerson& who, const FirstLogin& login);
 
-/// Records the digest of a person's current login data, inside the transaction that has changed them.
+/// Records the digest of a person's login data, inside the transaction that has changed them.
 [[nodiscard]] core::Status noteLogin(const DatabaseContext& school, const std::string& actor, const std::string& action,
-                                     const std::string& uid);
+                                     const std::string& uid, const KeptLogin& kept);
 
 }  // namespace database::sql

@@ -60,7 +60,7 @@ core::Result<std::string> putRecording(const DatabaseContext& school, const QByt
     const std::string hash = digestOf(viewOf(bytes));
     const core::Status put =
         dialect::isPostgres(school.db)
-            ? execute(school.db, "INSERT INTO recordings (hash, content) VALUES (?, ?) ON CONFLICT (hash) DO NOTHING",
+            ? execute(school.db, "INSERT INTO recordings (hash, content) VALUES (?, ?) ON CONFLICT DO NOTHING",
                       "keep the recording", {text(hash), bytes})
             : writeFile(fileOf(school.db, hash), bytes);
     if (!put)

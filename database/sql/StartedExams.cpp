@@ -62,7 +62,7 @@ core::Result<std::map<Pair, std::vector<ExamStart>>> withoutScore(const Database
 core::Status deliverExam(const DatabaseContext& school, const std::string& personUid, const ExamStart& start)
 {
     return inTurn(school, kBegin, [&]() -> core::Status {
-        const auto person = ask(school.db, "SELECT id FROM people WHERE uid = ?", kBegin, {text(personUid)});
+        const auto person = ask(school.db, personByUid(school.db), kBegin, {text(personUid)});
         if (!person)
             return tl::unexpected(person.error());
         if (person->isNull())
@@ -70,8 +70,10 @@ core::Status deliverExam(const DatabaseContext& school, const std::string& perso
                                     "nobody here has the account that the exam was begun with");
         const auto added =
             ask(school.db,
-                "INSERT INTO exam_starts (uid, person_id, lesson_id, begun_utc) VALUES (?, ?, ?, ?) ON CONFLICT (uid) "
-                "DO NOTHING RETURNING uid",
+                dialect::isStation(school.db)
+                    ? "SELECT 1 WHERE cusp_deliver_exam(?, ?, ?, ?)"
+                    : "INSERT INTO exam_starts (uid, person_id, lesson_id, begun_utc) VALUES (?, ?, ?, ?) ON CONFLICT "
+                      "(uid) DO NOTHING RETURNING uid",
                 kBegin, {text(start.uid), *person, text(start.lessonId), text(start.begunUtc)});
         if (!added)
             return tl::unexpected(added.error());

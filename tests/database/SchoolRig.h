@@ -19,6 +19,7 @@
 #include "database/sql/Check.h"
 #include "database/sql/Classes.h"
 #include "database/sql/Database.h"
+#include "database/sql/Grants.h"
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
 #include "database/sql/Settings.h"
@@ -119,6 +120,19 @@ public:
         m_database = std::move(*opened);
         m_school = std::make_unique<database::sql::DatabaseContext>(
             database::sql::DatabaseContext{m_database->handle(), m_key, [this] { return nowUtc; }, kCheap});
+    }
+    /// For a populated school on a server: goes on with the account of a station, and logs everybody in again. The time
+    /// is that of the server.
+    void becomeStation()
+    {
+        run({"DO $$ BEGIN CREATE ROLE station LOGIN; EXCEPTION WHEN duplicate_object THEN NULL; END $$"});
+        if (!database::sql::applyGrants(school().db, "station"))
+            qWarning("not granted");
+        nowUtc = QDateTime::currentDateTimeUtc();
+        m_address.replace("//school@", "//station@");
+        reopen();
+        for (database::Login* who : {&admin, &instructor, &student, &classmate, &stranger, &otherInstructor})
+            *who = logIn(who->username()).value();
     }
     void close()
     {
