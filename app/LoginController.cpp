@@ -223,6 +223,7 @@ void LoginController::enter(const database::Login& who)
 {
     m_unlock.resetTries();
     if (who.person() == m_school.user.person()) {
+        m_school.user = who;  // a server may have ended the earlier login
         m_context.window.setWho(who);
         return;
     }
