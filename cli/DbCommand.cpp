@@ -114,6 +114,13 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
         if (auto fit = database::sql::Logins::checkNewPassword(password->text(), admin.toStdString()); !fit)
             return failed(fit.error());
     }
+    // For the same reason, the account of the stations is checked now.
+    const QString station = parser.value(QStringLiteral("station"));
+    const bool hasStation = parser.isSet(QStringLiteral("station"));
+    if (hasStation && !address.isServer())
+        return wrongUsage(QStringLiteral("--station is for a server; a file has no accounts"));
+    if (const auto sql = hasStation ? database::sql::grantsFor(station) : QString(); !sql)
+        return failed(sql.error());
     const bool isNew = !address.isServer() && !QFileInfo::exists(address.file);
     const auto open = openSchool(address, Opening::Create);
     if (!open)
@@ -127,8 +134,7 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
         if (!session)
             return failed(session.error());
     }
-    const QString station = parser.value(QStringLiteral("station"));
-    if (parser.isSet(QStringLiteral("station")))
+    if (hasStation)
         if (auto granted = database::sql::applyGrants(open->school->db, station); !granted)
             return failed(granted.error());
     const auto version = database::sql::dialect::schemaVersion(open->school->db);

@@ -34,8 +34,14 @@ BEGIN
     LOOP
         EXECUTE one.line;
     END LOOP;
-    EXECUTE format('REVOKE ALL ON ALL TABLES IN SCHEMA %I FROM PUBLIC, {station}', current_schema());
-    EXECUTE format('REVOKE ALL ON ALL SEQUENCES IN SCHEMA %I FROM PUBLIC, {station}', current_schema());
+    -- The account that had the rights until now loses them.
+    CREATE TABLE IF NOT EXISTS cusp_grants (station text NOT NULL, schema integer NOT NULL);
+    FOR one IN SELECT r.rolname AS name FROM cusp_grants g JOIN pg_roles r ON r.rolname = g.station
+        UNION SELECT '{name}'
+    LOOP
+        EXECUTE format('REVOKE ALL ON ALL TABLES IN SCHEMA %I FROM PUBLIC, %I', current_schema(), one.name);
+        EXECUTE format('REVOKE ALL ON ALL SEQUENCES IN SCHEMA %I FROM PUBLIC, %I', current_schema(), one.name);
+    END LOOP;
     EXECUTE format('REVOKE ALL ON SCHEMA %I FROM {station}', current_schema());
     EXECUTE format('REVOKE CREATE ON SCHEMA %I FROM PUBLIC', current_schema());
     EXECUTE format('GRANT USAGE ON SCHEMA %I TO {station}', current_schema());
@@ -48,8 +54,6 @@ BEGIN
 EXCEPTION WHEN insufficient_privilege THEN
     NULL;
 END $$;
-
-CREATE TABLE IF NOT EXISTS cusp_grants (station text NOT NULL, schema integer NOT NULL);
 
 DELETE FROM cusp_grants;
 

@@ -441,6 +441,18 @@ private slots:
         expectDone(onFile({"db", "check"}));
     }
 
+    void rightsOfStationsArePrinted()
+    {
+        const Ending printed = runCusp({"db", "grants", "--station", "cusp_station"});
+        expectDone(printed);
+        QVERIFY(printed.out.contains("TO \"cusp_station\""));
+        QCOMPARE(runCusp({"db", "grants"}).exitCode, 2);
+        expectRefusal(runCusp({"db", "grants", "--station", "a b"}));
+        // A file has no accounts, and none is created in vain.
+        QCOMPARE(runCusp({"db", "init", "--db", at("new.sqlite"), "--station", "cusp_station"}).exitCode, 2);
+        QVERIFY(!QFile::exists(at("new.sqlite")));
+    }
+
     void namesThatAreNoFilesAreRefused()
     {
         for (const char* name : {":memory:", "file:x?mode=memory", ":x.sqlite", "mysql://x/y", " ",

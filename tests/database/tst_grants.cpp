@@ -229,6 +229,7 @@ private slots:
     {
         for (const char* name : {"", "a b", "a\"; DROP TABLE people; --", "a'", "1a", "ä"})
             VERIFY_REFUSED(grantsFor(QString(name)), ErrorCode::OutOfRange);
+        QVERIFY(!grantsFor("station")->contains('{'));  // nothing was left to fill in
         SchoolRig file(false);
         VERIFY_REFUSED(applyGrants(file.school().db, "station"), ErrorCode::WrongKind);
     }
@@ -296,6 +297,18 @@ private slots:
         VERIFY_DONE(Logins::redeem(station, "s1", student->code, SchoolRig::kPassword));
         VERIFY_REFUSED(applyGrants(station.db, "station"), ErrorCode::ServerRefuses, "owns the tables");
         QCOMPARE(support::faultsOf(all.db), QString());
+    }
+
+    void anotherAccountTakesTheRights()
+    {
+        NEEDS_SERVER();
+        Granted school;
+        const auto owner = school.owner();
+        VERIFY_DONE(execute(owner->handle(), "CREATE ROLE other_station LOGIN", "try"));
+        VERIFY_DONE(applyGrants(owner->handle(), "other_station"));
+        VERIFY_REFUSED(listPeople(school.rig().school(), school.rig().admin), ErrorCode::ServerRefuses);
+        QCOMPARE(school.rig().count("people"), -1);
+        QCOMPARE(school.rig().count("attempts"), -1);
     }
 
     void everydayWorkGoesOn()
