@@ -137,7 +137,7 @@ core::Result<std::string> hashWithSalt(const std::string& password, const std::s
 {
     constexpr std::size_t kHashBytes = 32;
     constexpr int kBase64 = sodium_base64_VARIANT_ORIGINAL_NO_PADDING;
-    const QByteArray given = normal(password).left(4 * kLongestPassword + 1);
+    const Secret given = normal(password);
     const auto cost = costOf(salt);
     std::array<unsigned char, crypto_pwhash_SALTBYTES> bytes{};
     std::size_t size = 0;
@@ -149,8 +149,10 @@ core::Result<std::string> hashWithSalt(const std::string& password, const std::s
         size != bytes.size())
         return core::unexpected(core::ErrorCode::OutOfRange, "the server answered with something that is no salt");
     std::array<unsigned char, kHashBytes> hash{};
-    if (crypto_pwhash(hash.data(), hash.size(), given.constData(), static_cast<unsigned long long>(given.size()),
-                      bytes.data(), cost->passes, cost->memoryBytes, crypto_pwhash_ALG_ARGON2ID13) != 0)
+    // No password is as long as this part of a longer text.
+    const std::size_t length = std::min<std::size_t>(given.text().size(), 4 * kLongestPassword + 1);
+    if (crypto_pwhash(hash.data(), hash.size(), given.text().data(), length, bytes.data(), cost->passes,
+                      cost->memoryBytes, crypto_pwhash_ALG_ARGON2ID13) != 0)
         return tl::unexpected(noMemory());
     std::array<char, sodium_base64_ENCODED_LEN(kHashBytes, kBase64)> encoded{};
     sodium_bin2base64(encoded.data(), encoded.size(), hash.data(), hash.size(), kBase64);

@@ -8,6 +8,7 @@
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Classes.h"
+#include "database/sql/Grants.h"
 #include "database/sql/People.h"
 #include "database/sql/Statement.h"
 
@@ -147,6 +148,8 @@ core::Status leaveClasses(const Erasure& erasure, PersonId person)
 core::Result<ErasedPerson> erasePerson(const DatabaseContext& school, const Login& session, PersonId id)
 {
     if (auto may = authorize(school, session, Operation::ChangePerson); !may)
+        return tl::unexpected(may.error());
+    if (auto may = expectOwner(school.db, "cusp user erase"); !may)
         return tl::unexpected(may.error());
     auto erased = inTurn(school, kErasing, [&]() -> core::Result<Person> {
         const auto before = readPerson(school, id);

@@ -17,8 +17,8 @@ inline constexpr const char* kErasedText = "[…]";
 /// stay. The audit gets a row of the person and one of each text. Rewrites an SQLite file afterwards, so that no unused
 /// part of it contains what was erased.
 ///
-/// Admins. NobodyLeft: the last admin who can log in. NotAllowed: the user's own account. ChangedSince: erased already.
-/// UnknownName: there is no such person.
+/// Admins. NotAllowed: the account of a station on a server, which may not do that. NobodyLeft: the last admin who can
+/// log in. NotAllowed: the user's own account. ChangedSince: erased already. UnknownName: there is no such person.
 [[nodiscard]] core::Result<ErasedPerson> erasePerson(const DatabaseContext& school, const Login& session,
                                                      PersonId person);
 

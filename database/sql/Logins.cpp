@@ -308,17 +308,17 @@ core::Result<std::string> otherPassword(const DatabaseContext& school, const std
     return other->toString().toStdString();
 }
 
-enum class Secret { Password, Code, Either };
+enum class SecretKind { Password, Code, Either };
 
 /// Lets the server compare a secret, as compare() does.
 core::Result<std::optional<Account>> compareThere(const QSqlDatabase& db, const std::string& username,
-                                                  const std::string& secret, Secret kind)
+                                                  const std::string& secret, SecretKind kind)
 {
     const std::string name = normalUsername(username).value_or(username);
     const auto salt = station::saltOf(db, name);
     if (!salt)
         return tl::unexpected(salt.error());
-    if (kind != Secret::Code) {
+    if (kind != SecretKind::Code) {
         const auto hash = hashWithSalt(secret, salt->password);
         if (!hash)
             return tl::unexpected(hash.error());
@@ -328,7 +328,7 @@ core::Result<std::optional<Account>> compareThere(const QSqlDatabase& db, const 
         if (*person)
             return Account{std::move(*person), *hash, {}, {}};
     }
-    if (kind == Secret::Password)
+    if (kind == SecretKind::Password)
         return std::nullopt;
     Account account;
     account.codeHash = hashOfCode(salt->uid, codeOf(secret));
@@ -347,7 +347,7 @@ core::Result<std::optional<Account>> compareThere(const QSqlDatabase& db, const 
 /// @param hash  of the name
 /// @return empty if the secret is wrong or the person is disabled
 core::Result<std::optional<Account>> compare(const DatabaseContext& school, const std::string& username,
-                                             const std::string& hash, const std::string& secret, Secret kind)
+                                             const std::string& hash, const std::string& secret, SecretKind kind)
 {
     if (dialect::isStation(school.db))
         return compareThere(school.db, username, secret, kind);
@@ -355,7 +355,7 @@ core::Result<std::optional<Account>> compare(const DatabaseContext& school, cons
     if (!account)
         return tl::unexpected(account.error());
     bool isRight = false;
-    if (kind != Secret::Code) {
+    if (kind != SecretKind::Code) {
         const auto other = otherPassword(school, hash);
         if (!other)
             return tl::unexpected(other.error());
@@ -365,7 +365,7 @@ core::Result<std::optional<Account>> compare(const DatabaseContext& school, cons
             return tl::unexpected(same.error());
         isRight = *same && !own.empty();
     }
-    if (!isRight && kind != Secret::Password) {
+    if (!isRight && kind != SecretKind::Password) {
         const bool isOver = account->codeUntilUtc < school.now();
         isRight = !isOver && !account->codeHash.empty() &&
                   hashOfCode(account->person->uid, codeOf(secret)) == account->codeHash;
@@ -378,7 +378,7 @@ core::Result<std::optional<Account>> compare(const DatabaseContext& school, cons
 
 /// Returns the account if the secret is correct. The caller has to call forgive() in its next transaction.
 core::Result<Account> tryAccount(const DatabaseContext& school, const std::string& username, const std::string& secret,
-                                 Secret kind)
+                                 SecretKind kind)
 {
     const std::string hash = nameHash(username);
     if (auto begun = beginTry(school, hash); !begun)
@@ -573,9 +573,9 @@ core::Result<Login> Logins::login(const DatabaseContext& school, const std::stri
                                   const std::string& password)
 {
     // A password may also be twelve letters without separators.
-    const Secret kind = looksLikeCode(password)      ? Secret::Code
-                        : isCodeParted(password, "") ? Secret::Either
-                                                     : Secret::Password;
+    const SecretKind kind = looksLikeCode(password)      ? SecretKind::Code
+                            : isCodeParted(password, "") ? SecretKind::Either
+                                                         : SecretKind::Password;
     auto account = tryAccount(school, username, password, kind);
     if (!account)
         return tl::unexpected(account.error());
@@ -620,7 +620,7 @@ core::Result<Login> Logins::redeem(const DatabaseContext& school, const std::str
 {
     if (auto fit = checkNewPassword(newPassword, username); !fit)
         return tl::unexpected(fit.error());
-    auto account = tryAccount(school, username, code, Secret::Code);
+    auto account = tryAccount(school, username, code, SecretKind::Code);
     if (!account)
         return tl::unexpected(account.error());
     const auto hash = hashFor(school, newPassword);
@@ -668,7 +668,7 @@ core::Status Logins::changePassword(const DatabaseContext& school, const Login& 
         return tl::unexpected(who.error());
     if (auto fit = checkNewPassword(newPassword, session.username()); !fit)
         return fit;
-    auto account = tryAccount(school, session.username(), old, Secret::Password);
+    auto account = tryAccount(school, session.username(), old, SecretKind::Password);
     if (!account)
         return tl::unexpected(account.error());
     const auto hash = hashFor(school, newPassword);
