@@ -289,10 +289,11 @@ private slots:
                     const char may = kAllowed.at(call.operation)[role];
                     // Students of a teacher's class belong to the teacher too. A teacher cannot mark their own work.
                     const bool marks = call.operation == Operation::Comment || call.operation == Operation::Override;
-                    const bool copies = isStation && call.operation == Operation::CopySchool;
+                    const bool isOwners = isStation && (call.operation == Operation::CopySchool ||
+                                                        std::string_view(call.name) == "erasePerson");
                     const bool expected =
-                        !copies && (may == 'a' || (may != '-' && !call.hasTarget) || (may == 'o' && target == Mine) ||
-                                    (may == 'c' && target != Strangers && !(marks && target == Mine)));
+                        !isOwners && (may == 'a' || (may != '-' && !call.hasTarget) || (may == 'o' && target == Mine) ||
+                                      (may == 'c' && target != Strangers && !(marks && target == Mine)));
                     const core::Status done = call.call(me, target);
                     const QString what =
                         QStringLiteral("%1 as %2 on %3: %4")
