@@ -152,7 +152,7 @@ core::Result<ErasedPerson> erasePerson(const DatabaseContext& school, const Logi
     if (auto may = expectOwner(school.db, "cusp user erase"); !may)
         return tl::unexpected(may.error());
     auto erased = inTurn(school, kErasing, [&]() -> core::Result<Person> {
-        const auto before = readPerson(school, id);
+        auto before = readPerson(school, id);
         if (!before)
             return before;
         if (auto is = expectErasable(school, session, *before); !is)

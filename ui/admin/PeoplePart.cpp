@@ -773,7 +773,7 @@ void PeoplePart::submit()
     if (isSecondClick() || (person != nullptr && person->isErased()))
         return;
     const Role role = kRoles.at(static_cast<std::size_t>(std::max(0, m_role->currentIndex())));
-    const bool givesUpRole = isOwn(person) && person->role == Role::Admin && role != Role::Admin;
+    const bool givesUpRole = person != nullptr && isOwn(person) && person->role == Role::Admin && role != Role::Admin;
     if (givesUpRole && !isAnswered(Question::OwnRole))
         return;
     endThought();
