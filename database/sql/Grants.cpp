@@ -70,6 +70,17 @@ core::Status applyGrants(const QSqlDatabase& db, const QString& station)
     });
 }
 
+core::Status suspendGrants(const QSqlDatabase& db)
+{
+    if (!dialect::isPostgres(db))
+        return {};
+    return execute(db,
+                   "DO $$ DECLARE line text; BEGIN FOR line IN SELECT format('DROP POLICY %I ON %I', policyname, "
+                   "tablename) FROM pg_policies WHERE schemaname = current_schema() AND starts_with(policyname::text, "
+                   "'cusp_') LOOP EXECUTE line; END LOOP; END $$",
+                   kGrant);
+}
+
 core::Status renewGrants(const QSqlDatabase& db)
 {
     if (!dialect::isPostgres(db) || dialect::isStation(db))

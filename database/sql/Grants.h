@@ -18,6 +18,10 @@ namespace database::sql {
 /// a file; ServerRefuses if this connection's account does not own the tables.
 [[nodiscard]] core::Status applyGrants(const QSqlDatabase& db, const QString& station);
 
+/// Removes the policies of the grants, so that a migration can change the columns that they name. Inside a transaction.
+/// Until renewGrants(), stations read and write nothing.
+[[nodiscard]] core::Status suspendGrants(const QSqlDatabase& db);
+
 /// Applies the grants of a database again if they were made for another schema. Does nothing if there are none.
 [[nodiscard]] core::Status renewGrants(const QSqlDatabase& db);
 

@@ -311,13 +311,19 @@ core::Result<std::string> otherPassword(const DatabaseContext& school, const std
 enum class SecretKind { Password, Code, Either };
 
 /// Lets the server compare a secret, as compare() does.
-core::Result<std::optional<Account>> compareThere(const QSqlDatabase& db, const std::string& username,
+core::Result<std::optional<Account>> compareThere(const DatabaseContext& school, const std::string& username,
                                                   const std::string& secret, SecretKind kind)
 {
+    const QSqlDatabase db = school.db;
     const std::string name = normalUsername(username).value_or(username);
     const auto salt = station::saltOf(db, name);
     if (!salt)
         return tl::unexpected(salt.error());
+    if (wantsRehash(salt->password, school.leastCost))
+        return core::unexpected(ErrorCode::ServerRefuses,
+                                "database " + dialect::nameOf(db) +
+                                    ": the server asks for a proof from which the password is easily guessed; let its "
+                                    "administrator look at it");
     if (kind != SecretKind::Code) {
         const auto hash = hashWithSalt(secret, salt->password);
         if (!hash)
@@ -350,7 +356,7 @@ core::Result<std::optional<Account>> compare(const DatabaseContext& school, cons
                                              const std::string& hash, const std::string& secret, SecretKind kind)
 {
     if (dialect::isStation(school.db))
-        return compareThere(school.db, username, secret, kind);
+        return compareThere(school, username, secret, kind);
     auto account = accountOf(school, username);
     if (!account)
         return tl::unexpected(account.error());

@@ -32,6 +32,8 @@ core::Status apply(const QSqlDatabase& db, const Migration& step, const std::str
         return tl::unexpected(version.error());
     if (*version >= step.number)
         return {};
+    if (auto suspended = suspendGrants(db); !suspended)
+        return suspended;
     for (const QString& statement : statementsOf(dialect::expand(db, step.sql)))
         if (auto done = execute(db, statement, doing); !done)
             return done;

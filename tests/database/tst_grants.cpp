@@ -508,6 +508,16 @@ private slots:
         QCOMPARE(salts.size(), std::size_t{6});
     }
 
+    /// A false server could ask for one, and guess the password from it.
+    void aCheapProofIsNotGiven()
+    {
+        NEEDS_SERVER();
+        Granted school;
+        DatabaseContext careful = school.rig().school();
+        careful.leastCost = {2, 8192};
+        VERIFY_REFUSED(Logins::login(careful, "s1001", SchoolRig::kPassword), ErrorCode::ServerRefuses, "guessed");
+    }
+
     void otherStationsDoNotSeeStatements()
     {
         NEEDS_SERVER();
@@ -594,16 +604,23 @@ private slots:
         NEEDS_SERVER();
         Granted school;
         const auto owner = school.owner();
-        const auto steps = shippedMigrations();
+        auto steps = shippedMigrations().value();
         const QString policies = "SELECT count(*) FROM pg_policies";
         const int before = ask(owner->handle(), policies, "look")->toInt();
-        for (const char* sql : {"DROP POLICY cusp_read ON people", "UPDATE cusp_grants SET schema = 1"})
-            VERIFY_DONE(execute(owner->handle(), sql, "try"));
-        VERIFY_DONE(migrate(owner->handle(), *steps));
+        // A policy names this column.
+        steps.push_back(
+            {static_cast<int>(steps.size()) + 1, "ALTER TABLE settings ALTER COLUMN name TYPE varchar(100);"});
+        VERIFY_DONE(migrate(owner->handle(), steps));
+        QCOMPARE(ask(owner->handle(), policies, "look")->toInt(), before);
+        QCOMPARE(ask(owner->handle(), "SELECT schema FROM cusp_grants", "look")->toInt(), steps.back().number);
+        // A migration that fails leaves the rights as they were.
+        auto more = steps;
+        more.push_back({steps.back().number + 1, "DROP TABLE nowhere;"});
+        QVERIFY(!migrate(owner->handle(), more));
         QCOMPARE(ask(owner->handle(), policies, "look")->toInt(), before);
         // A station changes nothing.
         VERIFY_DONE(execute(owner->handle(), "UPDATE cusp_grants SET schema = 1", "try"));
-        VERIFY_DONE(migrate(school.rig().school().db, *steps));
+        VERIFY_DONE(migrate(school.rig().school().db, steps));
     }
 };
 
