@@ -56,7 +56,7 @@ void LoginController::connectService()
         m_data.openSchool();
         if (wasIn)
             m_context.window.account().say(
-                [] { return tr("Another school is now where yours was, and you were logged out. Log in again."); });
+                [] { return tr("Your login has ended, or another school is now where yours was. Log in again."); });
     });
     updateMayEdit();
 }

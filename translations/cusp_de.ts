@@ -3290,8 +3290,8 @@
         <translation>Ihre Rolle wurde geändert, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
     </message>
     <message>
-        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
-        <translation>Wo Ihre Schule war, ist jetzt eine andere, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
+        <source>Your login has ended, or another school is now where yours was. Log in again.</source>
+        <translation>Ihre Anmeldung wurde beendet, oder wo Ihre Schule war, ist jetzt eine andere. Melden Sie sich neu an.</translation>
     </message>
 </context>
 <context>

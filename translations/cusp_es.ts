@@ -3290,8 +3290,8 @@
         <translation>Se ha cambiado su papel y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
     </message>
     <message>
-        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
-        <translation>Donde estaba su escuela hay ahora otra y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
+        <source>Your login has ended, or another school is now where yours was. Log in again.</source>
+        <translation>Su sesión ha terminado, o donde estaba su escuela hay ahora otra. Inicie sesión de nuevo.</translation>
     </message>
 </context>
 <context>

@@ -3279,8 +3279,8 @@
         <translation>役割が変更され、ログアウトしました。もう一度ログインしてください。</translation>
     </message>
     <message>
-        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
-        <translation>この学校のあった場所に別の学校があるため、ログアウトしました。もう一度ログインしてください。</translation>
+        <source>Your login has ended, or another school is now where yours was. Log in again.</source>
+        <translation>ログインが終了したか、この学校のあった場所に別の学校があります。もう一度ログインしてください。</translation>
     </message>
 </context>
 <context>

@@ -307,7 +307,7 @@ private slots:
         QVERIFY(QFile::rename(other, file()));
         actions().classes->trigger();
         WAIT_FOR(isAtDoor() && door() == LoginMode::Login);
-        waitForDoorToSay("Another school is now where yours was");
+        waitForDoorToSay("another school is now where yours was");
         logIn("admin");
         QCOMPARE(count("people"), 1);
     }
