@@ -101,7 +101,7 @@ core::Status expectOwner(const QSqlDatabase& db, const std::string& command)
 {
     if (!dialect::isStation(db))
         return {};
-    return core::unexpected(ErrorCode::NotAllowed,
+    return core::unexpected(ErrorCode::ServerRefuses,
                             "database " + dialect::nameOf(db) +
                                 ": the account of a station may not read everything; run \"" + command +
                                 " --db postgresql://OWNER@HOST/NAME\" with the account that owns the tables");

@@ -25,7 +25,8 @@ namespace database::sql {
 /// Applies the grants of a database again if they were made for another schema. Does nothing if there are none.
 [[nodiscard]] core::Status renewGrants(const QSqlDatabase& db);
 
-/// Checks that this connection may read everything. NotAllowed for the account of a station.
+/// Checks that this connection may read everything. ServerRefuses for the account of a station: the
+/// window then sends the user to the administrator of the server.
 /// @param command  one to run with the account that owns the tables, "cusp db check"
 [[nodiscard]] core::Status expectOwner(const QSqlDatabase& db, const std::string& command);
 

@@ -680,7 +680,7 @@ core::Status Logins::changePassword(const DatabaseContext& school, const Login& 
     const auto hash = hashFor(school, newPassword);
     if (!hash)
         return tl::unexpected(hash.error());
-    const core::Status set = inTurn(school, kSetPassword, [&]() -> core::Status {
+    core::Status set = inTurn(school, kSetPassword, [&]() -> core::Status {
         if (auto done = setPassword(school, *account, *hash); !done)
             return done;
         if (auto forgiven = forgive(school, nameHash(session.username())); !forgiven)

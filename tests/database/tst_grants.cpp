@@ -12,6 +12,7 @@
 #include <QUrl>
 
 #include "database/sql/Copy.h"
+#include "database/sql/Doubts.h"
 #include "database/sql/Feedback.h"
 #include "database/sql/Grants.h"
 #include "database/sql/Migrations.h"
@@ -456,12 +457,13 @@ private slots:
                           QString(sql).replace("{instructorUid}", QString::fromStdString(rig.instructor.uid())));
                 QVERIFY2(outcome.state == u"42501", qPrintable(QString(sql) + ": " + outcome.words()));
             }
-        VERIFY_REFUSED(checkDatabase(rig.school().db, {}), ErrorCode::NotAllowed, "cusp db check --db");
+        VERIFY_REFUSED(checkDatabase(rig.school().db, {}), ErrorCode::ServerRefuses, "cusp db check --db");
         SchoolRig file(false);
-        VERIFY_REFUSED(copySchool(rig.school(), rig.admin, file.school()), ErrorCode::NotAllowed, "cusp db copy --db");
+        VERIFY_REFUSED(copySchool(rig.school(), rig.admin, file.school()), ErrorCode::ServerRefuses,
+                       "cusp db copy --db");
         VERIFY_REFUSED(Logins::createFirstAdmin(rig.school(), {"second", "", "", Role::Admin}, SchoolRig::kPassword,
                                                 SchoolRig::kCheap),
-                       ErrorCode::NotAllowed, "cusp db init");
+                       ErrorCode::ServerRefuses, "cusp db init");
     }
 
     /// An attempt that another program delivers gets no more than the outbox would.
