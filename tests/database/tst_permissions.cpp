@@ -256,6 +256,18 @@ public:
     };
 };
 
+/// Adds the engines, and a server where the school is used with the account of a station.
+void addEnginesAndStation()
+{
+    support::addEngines();
+    QTest::newRow("postgresql, account of a station") << true;
+}
+
+bool isOfStation()
+{
+    return QByteArray(QTest::currentDataTag()).endsWith("station");
+}
+
 }  // namespace
 
 class TestPermissions : public QObject
@@ -263,15 +275,11 @@ class TestPermissions : public QObject
     Q_OBJECT
 
 private slots:
-    void everyOperationAsEveryRole_data()
-    {
-        support::addEngines();
-        QTest::newRow("postgresql, account of a station") << true;
-    }
+    void everyOperationAsEveryRole_data() { addEnginesAndStation(); }
     void everyOperationAsEveryRole()
     {
         COPY_OF(support::populatedSchool, rig);
-        const bool isStation = QByteArray(QTest::currentDataTag()).endsWith("station");
+        const bool isStation = isOfStation();
         if (isStation)
             rig.becomeStation();
         const Asked asked(rig);
@@ -364,10 +372,12 @@ private slots:
         VERIFY_DONE(overrideScore(rig.school(), rig.otherInstructor, students, 600, "neat"));
     }
 
-    void listsHoldOnlyWhatOneMaySee_data() { support::addEngines(); }
+    void listsHoldOnlyWhatOneMaySee_data() { addEnginesAndStation(); }
     void listsHoldOnlyWhatOneMaySee()
     {
         COPY_OF(support::populatedSchool, rig);
+        if (isOfStation())
+            rig.becomeStation();
         for (const Login* who : {&rig.student, &rig.classmate, &rig.stranger})
             VERIFY_DONE(rig.add(*who, "class1-36", 700));
         const auto names = [&](const Login& me) {
