@@ -175,7 +175,7 @@ const QList<Arrows> kArrows{
             "haptics/simulated database database/sql ui/sound ui/text ui/devices ui/tooth "
             "ui/scoring ui/people ui/window app/threads app/school app/devices app/pages app/attempt app/replay"},
     {"cli/parts", "core/base core/tracking core/bur core/teeth core/settings core/servo core/grading "
-                  "lessons haptics/falcon haptics/simulated database/sql ui/devices app/devices"},
+                  "lessons haptics/falcon haptics/simulated database database/sql ui/devices app/devices"},
     {"bench", "core/base core/rt core/tracking core/terrain core/bur core/teeth core/contact "
               "core/settings core/servo core/audio core/guidance core/recording core/session lessons "
               "haptics haptics/falcon haptics/pointer haptics/simulated lab ui/render ui/sound "

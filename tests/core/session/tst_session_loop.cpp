@@ -443,8 +443,8 @@ private slots:
     void anAttemptIsFullAfterSixHours()
     {
         constexpr std::chrono::milliseconds kStep(60);
-        Drilling rig;
-        stroke(rig, 0.0);
+        support::Rig rig({}, kStep);
+        rig.open(support::smallBlock());
         QVERIFY(!state(rig).isFull);
         rig.run(static_cast<int>(recording::kLongestAttempt / kStep), kStep);
         rig.settle();
