@@ -144,8 +144,8 @@ core::Result<std::string> hashWithSalt(const std::string& password, const std::s
     const QString text = QString::fromStdString(salt).section(u'$', -2, -2);
     if (!beginSodium() || !cost || !salt.ends_with('$') || cost->passes > kMostPasses ||
         cost->memoryBytes > kMostMemoryBytes ||
-        sodium_base642bin(bytes.data(), bytes.size(), text.toLatin1().constData(), text.size(), nullptr, &size, nullptr,
-                          kBase64) != 0 ||
+        sodium_base642bin(bytes.data(), bytes.size(), text.toLatin1().constData(),
+                          static_cast<std::size_t>(text.size()), nullptr, &size, nullptr, kBase64) != 0 ||
         size != bytes.size())
         return core::unexpected(core::ErrorCode::OutOfRange, "the server answered with something that is no salt");
     std::array<unsigned char, kHashBytes> hash{};

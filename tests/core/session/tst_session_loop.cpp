@@ -442,7 +442,7 @@ private slots:
     /// Then the window ends it. A program may be left open for a day.
     void anAttemptIsFullAfterSixHours()
     {
-        constexpr std::chrono::milliseconds kStep(60);
+        constexpr std::chrono::milliseconds kStep(50);
         support::Rig rig({}, kStep);
         rig.open(support::smallBlock());
         QVERIFY(!state(rig).isFull);
