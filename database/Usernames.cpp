@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include <QList>
+#include <QRegularExpression>
 #include <QString>
 
 #include "database/Passwords.h"
@@ -29,6 +30,12 @@ core::Result<std::string> normalUsername(const std::string& typed)
                                 "the username \"" + name.toStdString() +
                                     "\" has other characters than the letters a to z, digits and . _ - @; correct it");
     return name.toStdString();
+}
+
+bool isPseudonym(const std::string& username)
+{
+    static const QRegularExpression kPseudonym(QStringLiteral("^erased-[0-9a-f]{12}$"));
+    return kPseudonym.match(QString::fromStdString(username)).hasMatch();
 }
 
 std::string nameHash(const std::string& typed)

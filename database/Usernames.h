@@ -11,6 +11,9 @@ namespace database {
 /// sentence: empty, over 64 characters, or with characters other than the letters a to z, digits and . _ - @.
 [[nodiscard]] core::Result<std::string> normalUsername(const std::string& typed);
 
+/// Returns whether a username is one that an erased person may have (Person::pseudonym()).
+[[nodiscard]] bool isPseudonym(const std::string& username);
+
 /// Returns the hash under which failed logins with this name are counted: the BLAKE2b-256 of normalUsername(), or of
 /// the typed text if it is no valid username; 64 hex digits.
 [[nodiscard]] std::string nameHash(const std::string& typed);

@@ -40,7 +40,10 @@ nextToCheck(const database::Repositories& school, const database::Login& who, co
     AttemptToCheck toCheck{std::move(*attempt), QByteArray(), {}, {}};
     if (!toCheck.attempt.recordingHash.empty()) {
         auto recording = school.attempts.recording(who, *next);
-        toCheck.recording = recording ? std::optional(std::move(*recording)) : std::nullopt;
+        if (recording)
+            toCheck.recording = std::move(*recording);
+        else if (recording.error().code != core::ErrorCode::BadStructure)  // what is damaged proves nothing
+            toCheck.recording.reset();
     }
     if (!lessons::isVersionCached(toCheck.attempt.lessonHash))
         toCheck.pack = school.lessons.version(who, toCheck.attempt.lessonHash).value_or(QByteArray());

@@ -18,7 +18,7 @@ namespace app {
 struct AttemptToCheck
 {
     database::AttemptRecord attempt;
-    std::optional<QByteArray> recording;  ///< unset: the database names one that it cannot read
+    std::optional<QByteArray> recording;  ///< empty: none, or it is damaged; unset: it cannot be read now
     QByteArray pack;                      ///< of its lesson's version; empty: in the cache, or not assigned
     std::vector<database::ExamStart> starts;
 };

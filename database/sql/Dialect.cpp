@@ -79,7 +79,8 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
     QString words = error.databaseText().simplified();
     if (const QString end = '(' + code + ')'; words.endsWith(end))
         words.chop(end.size());
-    const std::string said = words.trimmed().toStdString();
+    // Where in a function of the server it happened says nothing to a user.
+    const std::string said = words.section(QStringLiteral(" CONTEXT: "), 0, 0).trimmed().toStdString();
     const bool isConnecting = error.type() == QSqlError::ConnectionError;
     const auto is = [&code](const char* begin) { return code.startsWith(QLatin1String(begin)); };
     if (said.find("role \"") != std::string::npos && said.find("does not exist") != std::string::npos)

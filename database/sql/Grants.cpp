@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QRegularExpression>
 
+#include "database/Passwords.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Doubts.h"
 #include "database/sql/Migrations.h"
@@ -41,6 +42,8 @@ core::Result<QString> filled(const QString& station)
           std::pair("{standings}", selectedStandings()), std::pair("{by_lesson}", groupedByLesson()),
           std::pair("{counts}", doesCount()), std::pair("{device}", comparedDevice(QStringLiteral("a.device"))),
           std::pair("{own_device}", comparedDevice(QStringLiteral("own.device"))),
+          std::pair("{most_kib}", QString::number(kMostMemoryBytes / 1024)),
+          std::pair("{most_passes}", QString::number(kMostPasses)),
           std::pair("{fewest}", QString::number(lessons::kFewestPeople))})
         sql.replace(QLatin1String(name), text);
     return sql;

@@ -134,8 +134,8 @@ core::Status countTry(const DatabaseContext& school, const QVariant& name)
 {
     return execute(school.db,
                    "INSERT INTO failed_logins (name_hash, failures, last_ms) VALUES (?, 1, ?) ON CONFLICT (name_hash) "
-                   "DO UPDATE SET failures = CASE WHEN failed_logins.last_ms < ? THEN 1 ELSE failed_logins.failures + "
-                   "1 END, last_ms = excluded.last_ms",
+                   "DO UPDATE SET failures = CASE WHEN failed_logins.last_ms < ? THEN 1 WHEN failed_logins.failures > "
+                   "1000 THEN failed_logins.failures ELSE failed_logins.failures + 1 END, last_ms = excluded.last_ms",
                    kLogIn, {name, nowMs(school), yesterdayMs(school)});
 }
 

@@ -274,6 +274,10 @@ core::Result<Person> enter(const DatabaseContext& school, AuditBatch& audit, con
         return tl::unexpected(username.error());
     if (auto fit = checkNames(who); !fit)
         return tl::unexpected(fit.error());
+    if (isPseudonym(*username))
+        return core::unexpected(ErrorCode::OutOfRange, "\"" + *username +
+                                                           "\" is what an erased person is called; choose another "
+                                                           "user's name");
     const auto taken = ask(school.db, "SELECT 1 FROM people WHERE username = ?", "enter the person", {text(*username)});
     if (!taken)
         return tl::unexpected(taken.error());

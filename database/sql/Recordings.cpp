@@ -101,6 +101,9 @@ core::Result<QByteArray> recordingOf(const QSqlDatabase& db, const std::string& 
                                     name + "it cannot be read; check the disk and who may read it");
         bytes = read.value_or(QByteArray());
     }
+    // The server stores a recording before its attempt. A file may come back with its folder.
+    if (!isThere && dialect::isPostgres(db))
+        return core::unexpected(ErrorCode::BadStructure, name + "the server does not have it");
     if (!isThere)
         return core::unexpected(ErrorCode::FileMissing,
                                 name + "it is not there any more; bring the folder \"recordings\" back from a backup");

@@ -4,10 +4,13 @@
 --
 -- A person proves who they are by the hash of their password, which the station computes from the password and the
 -- salt. The server answers with a token. A connection that has set the token acts for this person: the functions and
--- the policies below ask cusp_person() and cusp_role(). A function "cusp_inner_..." is for the other functions only.
+-- the policies below ask cusp_person() and cusp_role(). A function "cusp_inner_..." is for the other functions only,
+-- and runs with the rights of its caller: nobody gains by calling it, should the privileges be lost in a restore.
 
-SELECT set_config('search_path', (SELECT quote_ident(n.nspname) FROM pg_class c JOIN pg_namespace n ON n.oid =
-    c.relnamespace WHERE c.relname = 'cusp_schema' AND pg_table_is_visible(c.oid)) || ', pg_temp', true);
+SELECT pg_catalog.set_config('search_path', (SELECT pg_catalog.quote_ident(n.nspname) FROM pg_catalog.pg_class c
+    JOIN pg_catalog.pg_namespace n ON n.oid OPERATOR(pg_catalog.=) c.relnamespace
+    WHERE c.relname OPERATOR(pg_catalog.=) 'cusp_schema' AND pg_catalog.pg_table_is_visible(c.oid))
+    OPERATOR(pg_catalog.||) ', pg_temp', true);
 
 DO $$
 DECLARE
@@ -44,6 +47,12 @@ BEGIN
     END LOOP;
     EXECUTE format('REVOKE ALL ON SCHEMA %I FROM {station}', current_schema());
     EXECUTE format('REVOKE CREATE ON SCHEMA %I FROM PUBLIC', current_schema());
+    EXECUTE format('REVOKE TEMPORARY ON DATABASE %I FROM PUBLIC', current_database());
+    -- Until PostgreSQL 14, a superuser owns the schema, and everybody may add functions that others then call.
+    IF has_schema_privilege('{name}', current_schema(), 'CREATE') THEN
+        RAISE EXCEPTION '{name} may create functions in the schema %, which others then call unknowingly; let a '
+            'superuser say: ALTER SCHEMA % OWNER TO %', current_schema(), current_schema(), current_user;
+    END IF;
     EXECUTE format('GRANT USAGE ON SCHEMA %I TO {station}', current_schema());
 END $$;
 
@@ -79,6 +88,14 @@ CREATE FUNCTION cusp_inner_refuse() RETURNS void LANGUAGE plpgsql SET search_pat
 BEGIN
     RAISE EXCEPTION 'the person who is logged in may not do that' USING ERRCODE = 'insufficient_privilege';
 END $$;
+
+-- Whether a hash can be a password's: as the program makes them, and at a cost that it computes.
+CREATE FUNCTION cusp_inner_is_hash(words text) RETURNS boolean LANGUAGE sql IMMUTABLE SET search_path FROM CURRENT AS $$
+    SELECT COALESCE(length(words) < 128 AND words ~ '^\$argon2id\$v=19\$m=[0-9]+,t=[0-9]+,p=1\$[A-Za-z0-9+/]+\$[A-Za-z0-9+/]+$'
+        AND substring(words FROM 'm=([0-9]+),')::numeric <= {most_kib}
+        AND substring(words FROM ',t=([0-9]+),')::numeric <= {most_passes}
+        AND length(split_part(words, '$', 5)) = 22 AND length(split_part(words, '$', 6)) = 43, false)
+$$;
 
 CREATE FUNCTION cusp_person() RETURNS bigint LANGUAGE sql STABLE SECURITY DEFINER SET search_path FROM CURRENT AS $$
     SELECT p.id FROM cusp_sessions s JOIN people p ON p.id = s.person_id
@@ -118,7 +135,7 @@ $$;
 
 -- Login.
 
-CREATE FUNCTION cusp_inner_open(person bigint) RETURNS text LANGUAGE plpgsql SECURITY DEFINER
+CREATE FUNCTION cusp_inner_open(person bigint) RETURNS text LANGUAGE plpgsql
 SET search_path FROM CURRENT AS $$
 DECLARE
     token text := cusp_inner_digest(gen_random_uuid()::text || gen_random_uuid()::text);
@@ -129,12 +146,12 @@ BEGIN
     RETURN token;
 END $$;
 
-CREATE FUNCTION cusp_inner_proven(name text, hash text) RETURNS bigint LANGUAGE sql STABLE SECURITY DEFINER
+CREATE FUNCTION cusp_inner_proven(name text, hash text) RETURNS bigint LANGUAGE sql STABLE
 SET search_path FROM CURRENT AS $$
     SELECT id FROM people WHERE username = name AND disabled = 0 AND password_hash <> '' AND password_hash = hash
 $$;
 
-CREATE FUNCTION cusp_inner_coded(name text, code_hash text) RETURNS bigint LANGUAGE sql STABLE SECURITY DEFINER
+CREATE FUNCTION cusp_inner_coded(name text, code_hash text) RETURNS bigint LANGUAGE sql STABLE
 SET search_path FROM CURRENT AS $$
     SELECT id FROM people WHERE username = name AND disabled = 0 AND reset_hash <> '' AND reset_hash = code_hash
         AND reset_until_utc >= cusp_inner_now()
@@ -159,7 +176,7 @@ BEGIN
     salt := substring(own FROM '^.*\$');
     IF COALESCE(salt, '') = '' THEN
         SELECT p.password_hash INTO other FROM people p WHERE p.password_hash <> '' ORDER BY p.uid LIMIT 1
-            OFFSET get_byte(draw, 31) % (SELECT greatest(count(*), 1) FROM people q WHERE q.password_hash <> '');
+            OFFSET get_byte(draw, 31)::bigint % (SELECT greatest(count(*), 1) FROM people q WHERE q.password_hash <> '');
         salt := substring(COALESCE(other, decoy) FROM '^\$argon2id\$v=19\$[^$]*\$')
             || rtrim(encode(substr(draw, 1, 16), 'base64'), '=') || '$';
     END IF;
@@ -189,7 +206,7 @@ BEGIN
         RETURN NULL;
     END IF;
     UPDATE people SET last_login_utc = cusp_inner_now(),
-        password_hash = CASE WHEN dearer LIKE '$argon2id$%' THEN dearer ELSE password_hash END WHERE id = person;
+        password_hash = CASE WHEN cusp_inner_is_hash(dearer) THEN dearer ELSE password_hash END WHERE id = person;
     RETURN cusp_inner_open(person);
 END $$;
 
@@ -209,7 +226,7 @@ SET search_path FROM CURRENT AS $$
 DECLARE
     person bigint := cusp_inner_coded(name, code_hash);
 BEGIN
-    IF person IS NULL OR new_hash NOT LIKE '$argon2id$%' THEN
+    IF person IS NULL OR NOT cusp_inner_is_hash(new_hash) THEN
         PERFORM pg_sleep(1);
         RETURN NULL;
     END IF;
@@ -223,7 +240,7 @@ SECURITY DEFINER SET search_path FROM CURRENT AS $$
 DECLARE
     person bigint := cusp_inner_proven(name, hash);
 BEGIN
-    IF person IS NULL OR new_hash NOT LIKE '$argon2id$%' THEN
+    IF person IS NULL OR NOT cusp_inner_is_hash(new_hash) THEN
         PERFORM pg_sleep(1);
         RETURN false;
     END IF;
@@ -265,11 +282,13 @@ $$;
 CREATE FUNCTION cusp_has_password(person bigint) RETURNS boolean LANGUAGE sql STABLE SECURITY DEFINER
 SET search_path FROM CURRENT AS $$
     SELECT password_hash <> '' FROM people WHERE id = person
+        AND (cusp_role() = 'admin' OR id IN (SELECT cusp_reach()))
 $$;
 
 CREATE FUNCTION cusp_has_code(person bigint) RETURNS boolean LANGUAGE sql STABLE SECURITY DEFINER
 SET search_path FROM CURRENT AS $$
     SELECT reset_hash <> '' FROM people WHERE id = person
+        AND (cusp_role() = 'admin' OR id IN (SELECT cusp_reach()))
 $$;
 
 -- The audit: its end is what everybody needs, to add to it.
@@ -326,7 +345,10 @@ BEGIN
     one.id := nextval(pg_get_serial_sequence('attempts', 'id'));
     one.given_tenths := NULL;
     one.checked := 0;
-    IF one.doubt = '' AND cusp_is_copied(one.recording_hash, one.person_id, one.id) THEN
+    IF one.doubt = '' AND one.recording_hash <> ''
+        AND NOT EXISTS (SELECT 1 FROM recordings r WHERE r.hash = one.recording_hash) THEN
+        one.doubt := 'recording';
+    ELSIF one.doubt = '' AND cusp_is_copied(one.recording_hash, one.person_id, one.id) THEN
         one.doubt := 'recording';
     ELSIF one.doubt = '' AND cusp_is_of_another_version(one.person_id, one.lesson_id, one.lesson_hash) THEN
         one.doubt := 'version';

@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -362,7 +363,17 @@ private slots:
         QCOMPARE(marked.json()["doubts"].toArray().size(), 1);
         QCOMPARE(marked.json()["doubts"][0]["doubt"].toString(), QString("recording"));
         QCOMPARE(runCusp(mark, {}, kPassword).json()["marked"].toInt(), 0);
+        // A recording that is gone may come back with its folder. One that was changed proves nothing.
+        VERIFY_DONE(outboxOf("marked.sqlite").put(m_rig.student, SchoolRig::attempt("class1-36", 500), "recording"));
+        expectDone(runCusp({"db", "send", "--db", at("marked.sqlite")}));
+        const QString file = QDirIterator(at("recordings"), QDir::Files, QDirIterator::Subdirectories).next();
+        QVERIFY(QFile::rename(file, at("away")));
+        QCOMPARE(runCusp(mark, {}, kPassword).json()["unreadable"].toInt(), 1);
+        put(file, "another recording");
+        const Ending changed = runCusp(mark, {}, kPassword);
+        QVERIFY(changed.json()["unreadable"].toInt() == 0 && changed.json()["doubts"].toArray().size() == 1);
         QCOMPARE(runCusp({"db", "mark", "--db", at("marked.sqlite")}).exitCode, 2);
+        QVERIFY(QFile::remove(file) && QFile::rename(at("away"), file));
         expectDone(runCusp({"db", "check", "--db", at("marked.sqlite")}));
     }
 

@@ -9,6 +9,7 @@
 
 #include "database/sql/Erasing.h"
 #include "database/sql/Overview.h"
+#include "database/sql/People.h"
 #include "database/sql/Roster.h"
 #include "database/sql/RowSum.h"
 #include "tests/database/SchoolRig.h"
@@ -68,6 +69,18 @@ class TestErasing : public QObject
     Q_OBJECT
 
 private slots:
+    /// Otherwise the person of that number could not be erased.
+    void aPseudonymIsNobodysUsername_data() { support::addEngines(); }
+    void aPseudonymIsNobodysUsername()
+    {
+        COPY_OF(support::populatedSchool, rig);
+        const std::string pseudonym = "erased-" + rig.student.uid().substr(0, 12);
+        VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {pseudonym, "A", "B", Role::Student}),
+                       core::ErrorCode::OutOfRange);
+        VERIFY_DONE(addPerson(rig.school(), rig.admin, {"erased-nobody", "A", "B", Role::Student}));
+        VERIFY_DONE(erasePerson(rig.school(), rig.admin, rig.student.person()));
+    }
+
     void whatIsPersonalGoesAndTheAttemptsStay_data() { support::addEngines(); }
     void whatIsPersonalGoesAndTheAttemptsStay()
     {

@@ -18,6 +18,7 @@
 #include "database/sql/Migrations.h"
 #include "database/sql/Overview.h"
 #include "database/sql/Presets.h"
+#include "database/sql/Recordings.h"
 #include "database/sql/StartedExams.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/Suite.h"
@@ -68,7 +69,8 @@ struct Attack
 };
 constexpr std::array kAttacks{
     Attack{Operation::ChangeOwnPassword, "c",
-           "SELECT 1 WHERE cusp_set_password('s1002', '{hash}', '$argon2id$v=19$m=8,t=1,p=1$x$y')"},
+           "SELECT 1 WHERE cusp_set_password('s1002', '{hash}', '$argon2id$v=19$m=8,t=1,p=1$' || repeat('x', 22) || "
+           "'$' || repeat('y', 43) || '')"},
     Attack{Operation::ListPeople, "cia", "SELECT username FROM people WHERE username = 's1002'"},
     Attack{Operation::AddPerson, "a",
            "INSERT INTO people (uid, username, given_name, family_name, role, disabled, password_hash, reset_hash, "
@@ -488,6 +490,65 @@ private slots:
                  1);
         const auto again = ask(s.db, "SELECT is_new FROM cusp_deliver_attempt(CAST(? AS jsonb), '')", "try", {*row});
         QVERIFY(again && !again->toBool());
+        // A recording that the server does not have proves nothing, and neither does another one under its hash.
+        const auto found = ask(s.db,
+                               "SELECT doubt FROM cusp_deliver_attempt(CAST(? AS jsonb) || jsonb_build_object('uid', "
+                               "repeat('d', 32), 'recording_hash', repeat('c', 64)), '')",
+                               "try", {*row});
+        QCOMPARE(found->toString(), QString("recording"));
+        const std::string hash(64, 'c');
+        VERIFY_REFUSED(recordingOf(owner->handle(), hash), ErrorCode::BadStructure);
+        VERIFY_DONE(execute(s.db, "INSERT INTO recordings (hash, content) VALUES (repeat('c', 64), 'garbage')", "try"));
+        VERIFY_REFUSED(recordingOf(owner->handle(), hash), ErrorCode::BadStructure);
+    }
+
+    /// A hash that no program can compare would tell unknown names apart, or keep its person out.
+    void onlyHashesOfPasswordsAreStored()
+    {
+        NEEDS_SERVER();
+        Granted school;
+        const DatabaseContext& s = school.rig().school();
+        const QString sound = "$argon2id$v=19$m=65536,t=2,p=1$" + QString(22, 'A') + '$' + QString(43, 'B');
+        const auto isHash = [&](const QString& hash) {
+            return ask(school.owner()->handle(), "SELECT cusp_inner_is_hash(?)", "try", {hash})->toBool();
+        };
+        QVERIFY(isHash(sound));
+        QVERIFY(!isHash(QString(sound).replace("m=65536", "m=9999999")));
+        QVERIFY(!isHash(QString(sound).replace("t=2", "t=99")));
+        QVERIFY(!isHash(QString(sound).replace("p=1", "p=4")));
+        QVERIFY(!isHash(sound + "BBBB"));
+        QVERIFY(!isHash("$argon2id$" + QString(1000, 'B')));
+        // Nobody but the server's own functions may ask, with the privileges or without.
+        QVERIFY(!execute(s.db, "SELECT cusp_inner_open(1)", "try"));
+        VERIFY_DONE(
+            execute(school.owner()->handle(), "GRANT EXECUTE ON ALL FUNCTIONS IN SCHEMA public TO PUBLIC", "try"));
+        QVERIFY(!execute(s.db, "SELECT cusp_inner_open(1)", "try"));
+    }
+
+    /// As on a server before PostgreSQL 15: what stations create there, others would call.
+    void aSchemaWhereAllMayCreateIsRefused()
+    {
+        NEEDS_SERVER();
+        Granted school;
+        const auto owner = school.owner();
+        const auto run = [&](const char* statement) {
+            VERIFY_DONE(execute(owner->handle(), QLatin1String(statement), "try"));
+        };
+        run("GRANT CREATE ON SCHEMA public TO station");
+        VERIFY_DONE(applyGrants(owner->handle(), "station"));
+        QVERIFY(!execute(school.rig().school().db, "CREATE TABLE t (x integer)", "try"));
+        QVERIFY(!execute(school.rig().school().db, "CREATE TEMP TABLE t (x integer)", "try"));
+        // This cannot be taken away by a REVOKE from the account or from everybody.
+        run("CREATE ROLE makers");
+        run("GRANT CREATE ON SCHEMA public TO makers");
+        run("GRANT makers TO station");
+        const core::Status refused = applyGrants(owner->handle(), "station");
+        QVERIFY(!refused && refused.error().detail.find("may create functions") != std::string::npos);
+        QVERIFY(refused.error().detail.find("CONTEXT") == std::string::npos);
+        run("REVOKE makers FROM station");
+        run("DROP OWNED BY makers");
+        run("DROP ROLE makers");
+        VERIFY_DONE(applyGrants(owner->handle(), "station"));
     }
 
     /// Names that exist and names that do not look alike.
