@@ -1028,8 +1028,8 @@
         <translation>Der Server der Schule kann nicht beweisen, dass er der richtige ist, oder die Verbindung nicht verschlüsseln. Deshalb wird nichts an ihn gesendet. Bitten Sie die Person, die ihn betreut, sein Zertifikat einzurichten.</translation>
     </message>
     <message>
-        <source>Another school is now where yours was. Log in again.</source>
-        <translation>Wo Ihre Schule war, ist jetzt eine andere. Melden Sie sich neu an.</translation>
+        <source>Your login has ended, or another school is now where yours was. Log in again.</source>
+        <translation>Ihre Anmeldung wurde beendet, oder wo Ihre Schule war, ist jetzt eine andere. Melden Sie sich neu an.</translation>
     </message>
     <message>
         <source>The school&apos;s server went away while this was being done, and nobody can say whether it was. Look when it answers again, before you do it again.</source>

@@ -1028,8 +1028,8 @@
         <translation>El servidor de la escuela no puede demostrar que es el correcto, o no puede cifrar la conexión, así que no se le envía nada. Pida a quien se ocupa de él que configure su certificado.</translation>
     </message>
     <message>
-        <source>Another school is now where yours was. Log in again.</source>
-        <translation>Donde estaba su escuela hay ahora otra. Inicie sesión de nuevo.</translation>
+        <source>Your login has ended, or another school is now where yours was. Log in again.</source>
+        <translation>Su sesión ha terminado, o donde estaba su escuela hay ahora otra. Inicie sesión de nuevo.</translation>
     </message>
     <message>
         <source>The school&apos;s server went away while this was being done, and nobody can say whether it was. Look when it answers again, before you do it again.</source>

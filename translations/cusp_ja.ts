@@ -1026,8 +1026,8 @@
         <translation>学校のサーバーは、本物であることを証明できないか、接続を暗号化できません。そのため何も送信しません。サーバーの管理者に、証明書の設定を頼んでください。</translation>
     </message>
     <message>
-        <source>Another school is now where yours was. Log in again.</source>
-        <translation>この学校のあった場所に、別の学校があります。もう一度ログインしてください。</translation>
+        <source>Your login has ended, or another school is now where yours was. Log in again.</source>
+        <translation>ログインが終了したか、この学校のあった場所に別の学校があります。もう一度ログインしてください。</translation>
     </message>
     <message>
         <source>The school&apos;s server went away while this was being done, and nobody can say whether it was. Look when it answers again, before you do it again.</source>

@@ -221,7 +221,8 @@ QString reason(core::ErrorCode code, FailedOperation failed)
     case core::ErrorCode::ServerUnknown:
         return serverUnknown();
     case core::ErrorCode::OtherSchool:
-        return QCoreApplication::translate("Error", "Another school is now where yours was. Log in again.");
+        return QCoreApplication::translate(
+            "Error", "Your login has ended, or another school is now where yours was. Log in again.");
     case core::ErrorCode::NotAllowed:
         return QCoreApplication::translate("Error", "Your role does not allow it.");
     case core::ErrorCode::Disabled:
