@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/guidance/Fixture.h"
+#include "core/recording/Format.h"
 
 namespace core::session {
 namespace {
@@ -15,6 +16,9 @@ namespace {
 /// Number of restored moments stored for the loop that follows the attempt. If that loop is further behind, it begins
 /// again.
 constexpr std::size_t kRestoredKept = 256;
+
+/// Number of events that a recording can take after its last step.
+constexpr std::uint64_t kRoomForNotes = 10'000;
 
 }  // namespace
 
@@ -81,11 +85,12 @@ void SessionLoop::takeEvents()
     }
 }
 
-/// Records an event. A full recording ends here: SessionState::isFull told the window to end the attempt long before.
-/// The caller holds the mutex.
+/// Records an event. A recording takes no more steps when it is too long: the window has ended the attempt by then, see
+/// SessionState::isFull. Undo steps and notes still find room. The caller holds the mutex.
 void SessionLoop::keep(const servo::ServoEvent& event)
 {
-    if (m_recording && m_recording->events() < recording::kMaxEvents)
+    const std::uint64_t most = recording::kMaxEvents - (recording::isTick(event.kind) ? kRoomForNotes : 1);
+    if (m_recording && m_recording->events() < most)
         m_recording->append(event);
 }
 
