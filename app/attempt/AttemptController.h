@@ -40,7 +40,7 @@ public:
     void begin(const lessons::Assignment& assignment, const std::function<QStringList()>& notes, bool isUnitInDoubt);
     /// Begins an attempt at the tooth practised on last, without a lesson. Forgets the last grade and the opened score.
     void beginWholeTooth();
-    /// Notes in the recording whose attempt it is. That of a guest or of the simulated hand is nobody's.
+    /// Adds a note to the recording that names the user. Does nothing for a guest and for the simulated hand.
     void notePerson();
     /// Makes an assignment the current attempt and shows its tooth. The caller sends the session its command next.
     void load(const lessons::Assignment& assignment, const core::servo::ServoSettings& settings,

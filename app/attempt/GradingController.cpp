@@ -325,7 +325,7 @@ void GradingController::saveGuestsGrade()
 {
     m_graded->keeping = Keeping::Pending;
     updateKeeping();
-    // It was nobody's until now.
+    // The recording of a guest does not name a person.
     m_graded->recording.append({core::servo::ServoEvent::Kind::Note, 0, glm::vec3(0.0F),
                                 core::recording::personNote(m_context.school.user.uid())});
     m_context.school.service->ask(

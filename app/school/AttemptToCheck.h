@@ -18,7 +18,7 @@ namespace app {
 struct AttemptToCheck
 {
     database::AttemptRecord attempt;
-    std::optional<QByteArray> recording;  ///< empty: none, or it is damaged; unset: it cannot be read now
+    std::optional<QByteArray> recording;  ///< no value: it cannot be read now; empty: none, or damaged
     QByteArray pack;                      ///< of its lesson's version; empty: in the cache, or not assigned
     std::vector<database::ExamStart> starts;
 };
@@ -29,10 +29,11 @@ struct AttemptToCheck
 [[nodiscard]] core::Result<std::optional<AttemptToCheck>>
 nextToCheck(const database::Repositories& school, const database::Login& who, const std::set<std::int64_t>& postponed);
 
-/// Marks an attempt that has a recording again, as database::checkAttempt() does. Takes as long as a replay. Any
-/// thread.
+/// Replays the recording of an attempt, grades it again and compares, see database::checkAttempt(). Takes as long as
+/// the replay. Any thread.
 [[nodiscard]] database::Doubt check(const AttemptToCheck& toCheck);
-/// The same for an attempt that arrives, whose version the computer may have cached.
+/// Does the same with an attempt from the outbox. Compares the tooth of a scan only if this computer has the assigned
+/// version of the lesson in its cache.
 [[nodiscard]] database::Doubt checkArriving(const database::AttemptRecord& attempt, const QByteArray& recording);
 
 }  // namespace app

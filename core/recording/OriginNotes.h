@@ -28,8 +28,8 @@ inline constexpr std::size_t kOriginDigits = 12;
     return kExamNote | originBits(startUid);
 }
 
-/// Returns the note that the attempt is a person's: "PE" and the first 48 bits of the person's uid. Guests and the
-/// simulated hand leave none.
+/// Returns the note that says whose attempt it is: "PE" and the first 48 bits of the person's uid. An attempt of a
+/// guest or of the simulated hand has no such note.
 [[nodiscard]] inline std::uint64_t personNote(std::string_view personUid) noexcept
 {
     return kPersonNote | originBits(personUid);

@@ -46,7 +46,8 @@ inline constexpr int kApplicationId = 0x43555350;
 /// For a server: determines whether this connection's account is that of a station (database/sql/Grants.h), which reads
 /// and writes some data by functions of the server only. Call it after pinSearchPath().
 [[nodiscard]] core::Status recognizeStation(const QSqlDatabase& db);
-/// Returns what recognizeStation() has found. False for a file.
+/// Returns whether the connection uses the account of a station, as recognizeStation() has determined. Always false for
+/// a file.
 [[nodiscard]] bool isStation(const QSqlDatabase& db);
 
 /// Returns the number of the last migration applied; 0 for an empty database.

@@ -310,7 +310,7 @@ private slots:
                                  QLatin1String(kTargetNames.at(target)),
                                  done ? QStringLiteral("done") : QString::fromStdString(done.error().detail));
                     QVERIFY2(done.has_value() == expected, qPrintable(what));
-                    // A station cannot tell what it may not see from what is not there.
+                    // For the account of a station, rows that the user may not read do not exist.
                     const bool isHidden =
                         isStation && call.hasTarget && !expected && done.error().code == ErrorCode::UnknownName;
                     const bool isRefusedThere = isOwners && !expected && done.error().code == ErrorCode::ServerRefuses;

@@ -52,7 +52,7 @@ void exerciseLetter(std::string_view bytes)
     const database::Outbox outbox(folder.path(), key);
     const QString path = folder.filePath("fuzzed.attempt");
     readLetter(outbox, path, std::string(bytes));
-    // The content that the station has signed, with texts of other lengths than the sender wrote.
+    // The same bytes as the content of a file with a valid signature.
     const std::string content(bytes);
     readLetter(outbox, path, "CUSPOUT2" + key.publicHex() + key.sign(database::digestOf(content)) + content);
 }

@@ -16,7 +16,7 @@ inline constexpr std::array kRoles{database::Role::Student, database::Role::Inst
 /// The contents of the form of a person.
 struct TypedPerson
 {
-    database::Person asItWas;  ///< the person when the form was filled; without an id: a new person
+    database::Person asItWas;  ///< the person that the form was filled with; its id is 0 for a new person
     QString username;
     QString given;
     QString family;
